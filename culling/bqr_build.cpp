@@ -1,0 +1,1 @@
+#include "culling/bqr_tree.h"

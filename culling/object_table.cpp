@@ -1,0 +1,1 @@
+#include "culling/object_table.h"

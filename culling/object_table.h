@@ -1,0 +1,42 @@
+#pragma once
+/// Objects (buildings, trees, ground pieces) as columns in block order, so that a run of blocks is a run of objects.
+///   ObjectTable table = build_object_table(tree, boxes_by_block_order, first);
+///   std::vector<ObjectRun> runs; reserve_runs(runs, table);                    // once
+///   cull_objects(table, block_runs, frustum, runs);                            // each frame, no allocation
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "culling/bqr_tree.h"
+
+namespace manzana::culling {
+
+/// Half-open run of objects.
+struct ObjectRun {
+  std::uint32_t first = 0, last = 0;
+};
+
+/// Objects of block b (the tree's leaf b) are [first[b], first[b+1]). Bounds are relative to the tree's origin,
+/// outward.
+struct ObjectTable {
+  std::vector<std::uint32_t> first;  ///< leaves + 1
+  std::vector<float> min_x, min_y, min_z, max_x, max_y, max_z;
+  std::uint32_t size() const { return static_cast<std::uint32_t>(min_x.size()); }
+};
+
+/// `boxes` in block order, in L; `first` has a row a leaf and one more. Throws std::invalid_argument for a box that is
+/// empty or not finite (with its index).
+ObjectTable build_object_table(const Vec3d& origin, std::span<const BoxD> boxes, std::vector<std::uint32_t> first);
+
+/// Appends to nothing: `out` is cleared, and filled with the disjoint, rising runs of the objects that are not outside.
+/// Blocks that are inside give their objects untested; those that cross are tested one by one, box against frustum.
+/// Allocates nothing when out.capacity() >= table.size().
+void cull_objects(const ObjectTable& table, std::span<const LeafRun> blocks, const Frustum& frustum,
+                  std::vector<ObjectRun>& out);
+
+/// Without a structure: one run with everything.
+void take_all(const ObjectTable& table, std::vector<ObjectRun>& out);
+
+std::uint64_t count(std::span<const ObjectRun> runs);
+
+}  // namespace manzana::culling

@@ -1,0 +1,1 @@
+#include "culling/volumes.h"

@@ -1,0 +1,1 @@
+#include "foliage/generate.h"

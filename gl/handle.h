@@ -1,0 +1,45 @@
+#pragma once
+/// GL names as move-only values. Each dies with its context current; 0 owns nothing.
+///   Buffer vertices = make_buffer(bytes, 0);      // gl/buffer.h
+#include <glad/gl.h>
+
+#include <utility>
+
+namespace manzana::gl {
+
+template <void (*Delete)(GLuint)>
+class Handle {
+ public:
+  Handle() = default;
+  explicit Handle(GLuint name) : name_(name) {}
+  Handle(Handle&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(name_, other.name_);
+    return *this;
+  }
+  ~Handle() {
+    if (name_ != 0) Delete(name_);
+  }
+  GLuint name() const { return name_; }
+
+ private:
+  GLuint name_ = 0;
+};
+
+inline void delete_buffer(GLuint name) { glDeleteBuffers(1, &name); }
+inline void delete_vertex_array(GLuint name) { glDeleteVertexArrays(1, &name); }
+inline void delete_texture(GLuint name) { glDeleteTextures(1, &name); }
+inline void delete_framebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
+inline void delete_renderbuffer(GLuint name) { glDeleteRenderbuffers(1, &name); }
+inline void delete_program(GLuint name) { glDeleteProgram(name); }
+inline void delete_shader(GLuint name) { glDeleteShader(name); }
+
+using Buffer = Handle<delete_buffer>;
+using VertexArray = Handle<delete_vertex_array>;
+using Texture = Handle<delete_texture>;
+using Framebuffer = Handle<delete_framebuffer>;
+using Renderbuffer = Handle<delete_renderbuffer>;
+using Program = Handle<delete_program>;
+using Shader = Handle<delete_shader>;
+
+}  // namespace manzana::gl

@@ -1,0 +1,74 @@
+#pragma once
+/// Draws what is visible: geometry resident on the GPU, one multi-draw-indirect for each kind of thing, no allocation,
+/// no read-back and no call per object in a frame. Reversed infinite depth; the camera is double, the GPU sees floats
+/// relative to it. A context must be current and stay the same one.
+///   Renderer renderer(scene, plants, quality_for(gl::renderer_name()));
+///   renderer.resize({1280, 720});
+///   FrameCounts counts = renderer.draw(scene, sets, view, options);
+///   renderer.present(0);                                             // to the window's framebuffer
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "culling/frustum.h"
+#include "foliage/plant.h"
+#include "scenegraph/scene.h"
+#include "scenegraph/visible.h"
+
+namespace manzana::draw {
+
+/// What a device is asked for. By the renderer's name, never by measured time, so that two runs give equal pictures.
+struct Quality {
+  int samples = 4;         ///< 1: no multisampling; else leaves use alpha-to-coverage
+  double tree_detail = 1;  ///< a tree's radius in pixels is multiplied by it before its level is chosen
+  double car_detail = 1;
+  bool shadows = true;  ///< soft dark ground under cars and trees
+};
+Quality quality_for(std::string_view renderer);  ///< software renderers: `low`
+Quality quality_named(std::string_view name);    ///< low, high; throws std::invalid_argument
+
+struct Layers {
+  bool buildings = true, surfaces = true, trees = true, cars = true, sky = true, fog = true;
+};
+
+struct DrawOptions {
+  Layers layers;
+  Vec3d sun{0.45, -0.55, 0.70};  ///< towards the sun, in L; need not be of unit length
+  double fog_distance_m = 4000;  ///< where half of the light is the air's
+  /// Debug view: volumes of the tree for this frustum, drawn as lines over what is drawn for the view. nullptr: none.
+  const culling::View* frozen = nullptr;
+};
+
+struct FrameCounts {
+  std::uint64_t triangles = 0;  ///< submitted
+  std::uint64_t buildings = 0, surfaces = 0, trees = 0, cars = 0;
+  std::uint64_t commands = 0;  ///< of multi-draws
+};
+
+struct Size {
+  int width = 0, height = 0;
+};
+
+class Renderer {
+ public:
+  /// `plants`: one model for each PlantKind. Uploads everything. Throws std::runtime_error when a shader does not
+  /// compile (with its log) or the scene does not fit the device's buffers.
+  Renderer(const Scene& scene, std::span<const foliage::PlantModel> plants, const Quality& quality);
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+
+  void resize(Size size);  ///< allocates the framebuffer; at least 1 x 1
+  /// Chooses levels and draws into the renderer's own framebuffer.
+  FrameCounts draw(const Scene& scene, const VisibleSets& sets, const culling::View& view, const DrawOptions& options);
+  void present(unsigned framebuffer);  ///< copies the picture there, same size, at (0, 0)
+  /// The picture as RGB bytes, rows from the top. Waits for the GPU; not for use in a frame.
+  std::vector<unsigned char> read_pixels();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace manzana::draw

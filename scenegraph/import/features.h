@@ -1,0 +1,80 @@
+#pragma once
+/// What a city is before it becomes a scene: features with a shape in plan and a few attributes, every attribute filled
+/// in. Readers (OpenStreetMap, the built-in town) make these; build_scene makes a scene of them.
+/// Plan positions are (x, y) in the frame L, metres. Rings are open (the last point is not the first again), in either
+/// direction. Nothing here is trusted: rings may cross themselves, streets may have one point.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scenegraph/local_frame.h"
+#include "scenegraph/scene.h"
+
+namespace manzana {
+
+/// A feature that was left out or mended, and why: {"way 4711 (building)", "ring is not closed"}.
+struct Issue {
+  std::string where, what;
+};
+
+struct Polygon {
+  std::vector<Vec2d> outer;
+  std::vector<std::vector<Vec2d>> holes;
+};
+
+enum class RoofShape : std::uint8_t { flat, gabled, hipped, pyramidal, skillion, dome };
+
+struct BuildingFeature {
+  std::string where;  ///< for issues: "way 4711"
+  Polygon footprint;
+  double height = 6;       ///< of the ridge above ground, metres; > min_height
+  double min_height = 0;   ///< of the lowest floor above ground
+  double roof_height = 0;  ///< of the roof alone; <= height - min_height
+  int levels = 2;          ///< storeys between min_height and the eaves, at least 1
+  RoofShape roof = RoofShape::flat;
+  std::uint32_t wall_rgb = 0xd8cfc0, roof_rgb = 0x8a8580;  ///< sRGB, 0xRRGGBB
+};
+
+enum class StreetClass : std::uint8_t { motorway, primary, secondary, residential, service, pedestrian, path, track };
+
+struct StreetFeature {
+  std::string where;
+  std::vector<Vec2d> line;          ///< in driving order for one-way streets
+  std::vector<std::int64_t> nodes;  ///< an id a point: streets meet where ids are equal
+  double width = 6;                 ///< of the carriageway, metres
+  int lanes = 2;                    ///< in all
+  int layer = 0;
+  StreetClass kind = StreetClass::residential;
+  bool one_way = false, bridge = false, tunnel = false,
+       circular = false;  ///< circular: a closed area, such as a square
+};
+/// Cars drive there, and it bounds blocks: motorway to residential.
+inline bool carries_traffic(StreetClass kind) { return kind <= StreetClass::residential; }
+
+struct TreeFeature {
+  Vec2d position{0, 0};
+  double height = 10, crown_radius = 3;
+  PlantKind kind = PlantKind::broadleaf;
+};
+
+struct AreaFeature {
+  std::string where;
+  Polygon shape;
+  Material kind = Material::grass;  ///< grass, park, wood, farmland, sand, water, pavement
+  double trees_per_ha = 0;          ///< > 0: filled with trees
+  PlantKind tree_kind = PlantKind::broadleaf;
+  bool mixed = false;  ///< broadleaf and conifer
+};
+
+struct CityFeatures {
+  LocalFrame frame;
+  std::vector<BuildingFeature> buildings;
+  std::vector<StreetFeature> streets;
+  std::vector<TreeFeature> trees;
+  std::vector<AreaFeature> areas;
+  std::vector<Issue> issues;
+  bool left_hand_traffic = false;
+  std::string attribution;
+};
+
+}  // namespace manzana

@@ -1,0 +1,48 @@
+#pragma once
+/// From a file to a scene.
+///   Imported city = import_city("helsinki.osm.pbf", {}, show);
+///   for (const Issue& issue : city.issues) log(issue.where, issue.what);
+#include <filesystem>
+#include <functional>
+#include <string_view>
+
+#include "scenegraph/import/features.h"
+#include "scenegraph/scene.h"
+
+namespace manzana {
+
+/// Called now and then, from the calling thread: what is being done, and how much of it (0 to 1).
+using Progress = std::function<void(std::string_view stage, double fraction)>;
+
+struct ImportOptions {
+  std::uint64_t seed = 1;  ///< of scattered trees, cars and the built-in town
+  int cars = -1;           ///< how many; -1: by the length of the streets, at most 20 000
+};
+
+/// What the report of an import says.
+struct ImportReport {
+  std::size_t blocks = 0, fallback_blocks = 0;          ///< fallback: not a face of the street network
+  std::size_t objects = 0, fallback_objects = 0;        ///< objects in fallback blocks
+  std::size_t objects_median = 0, objects_largest = 0;  ///< a block
+  double seconds = 0;
+};
+
+struct Imported {
+  Scene scene;
+  std::vector<Issue> issues;
+  ImportReport report;
+};
+
+/// Throws std::runtime_error ("FILE: what, where") when the file cannot be read at all.
+CityFeatures read_osm(const std::filesystem::path& file, const Progress& progress);
+
+/// The built-in town: made up, the same for a seed on every machine.
+CityFeatures make_town(std::uint64_t seed);
+
+/// Never fails for bad features: they are listed.
+Imported build_scene(CityFeatures features, const ImportOptions& options, const Progress& progress);
+
+/// `city` is "builtin:town" or a file: .osm, .osm.gz, .osm.bz2, .osm.pbf. Throws as read_osm does.
+Imported import_city(const std::string& city, const ImportOptions& options, const Progress& progress);
+
+}  // namespace manzana

@@ -1,0 +1,1 @@
+#include "scenegraph/import/meshes.h"

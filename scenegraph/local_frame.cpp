@@ -1,0 +1,1 @@
+#include "scenegraph/local_frame.h"

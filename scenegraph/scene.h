@@ -1,0 +1,59 @@
+#pragma once
+/// The scene: arrays and ids, no tree of objects. An object (building, tree, piece of ground) is a row in columns
+/// sorted by block, blocks are stored in the order of the BqR-Tree's leaves; so a node of the tree is a run of blocks,
+/// and a run of blocks is a run of every kind of object.
+///   Imported city = import_city("helsinki.osm.pbf");          // scenegraph/import/import.h
+///   VisibleSets sets(city.scene);                             // scenegraph/visible.h, reserves once
+///   find_visible(city.scene, view, Structure::bqr, sets);     // each frame
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "culling/bqr_tree.h"
+#include "culling/object_table.h"
+#include "scenegraph/local_frame.h"
+#include "scenegraph/mesh.h"
+#include "scenegraph/traffic.h"
+
+namespace manzana {
+
+/// Objects with a mesh each. Object i has the indices [index_first[i], index_first[i + 1]) of `mesh`, so a run of
+/// objects is one run of indices.
+struct MeshLayer {
+  culling::ObjectTable table;
+  CityMesh mesh;
+  std::vector<std::uint32_t> index_first;
+};
+
+/// What kind of plant stands there; the drawing maps a kind to a model.
+enum class PlantKind : std::uint8_t { broadleaf, conifer, shrub, count };
+
+/// A tree. Position of its foot in its block's frame, metres.
+struct TreeInstance {
+  Vec3 position{0, 0, 0};
+  float height_m = 10;
+  float crown_radius_m = 3;
+  float yaw = 0;  ///< radians about up
+  std::uint32_t block = 0;
+  PlantKind kind = PlantKind::broadleaf;
+  std::uint8_t tint = 0;  ///< 0..255, a variation of colour
+};
+
+struct TreeLayer {
+  culling::ObjectTable table;
+  std::vector<TreeInstance> instances;  ///< a row an object
+};
+
+struct Scene {
+  LocalFrame frame;
+  culling::BqrTree tree;  ///< leaf b is block b; tree.order is of no more use here
+  std::vector<BlockFrame> blocks;
+  MeshLayer buildings;
+  MeshLayer surfaces;  ///< streets, greens, water, bridges
+  TreeLayer trees;
+  Traffic traffic;
+  culling::BoxD bounds;     ///< of all objects, in L
+  std::string attribution;  ///< must be shown with every picture; empty for made-up data
+};
+
+}  // namespace manzana
