@@ -36,7 +36,10 @@ struct BqrNode {
   std::uint32_t last = 0;
   std::uint32_t skip = 0;   ///< index of the first node after this one's descendants
   std::uint32_t depth = 0;  ///< of its quadrant; the root's is 0
-  std::uint64_t key = 0;    ///< a 1, then two bits (y, x) for each quadrant on the way; unique
+  /// Unique: a 1, then two bits (y, x) for each quadrant on the way from the root. Leaves that share their last
+  /// quadrant have no way of their own: their key is 2^63 + the leaf's index (no way reaches that bit: 31 quadrants at
+  /// most).
+  std::uint64_t key = 0;
   bool leaf() const { return last - first == 1; }
 };
 
@@ -47,8 +50,11 @@ struct BqrTree {
   std::vector<std::uint32_t> order;  ///< order[leaf] = index of the block in the builder's input
 };
 
-/// O(n log n) for spread centres, O(31 n) at worst. No block: no node. Throws std::invalid_argument, with the index of
-/// the block, for a centre or volume that is not finite or is empty.
+/// O(n log n) for spread centres, O(31 n) at worst. No block: no node; one: the root is its leaf. The tree does not
+/// depend on the order of the input (blocks that share their last quadrant are ordered by their coordinates). `origin`
+/// is the centre of all content in whole metres. A quadrant is not split when all centres in it are equal, at depth 31,
+/// or where doubles end. Throws std::invalid_argument, with the index of the block, for a centre or volume that is
+/// empty or is not finite (in float for volumes).
 BqrTree build_bqr_tree(std::span<const BlockVolume> blocks);
 
 struct CullStats {

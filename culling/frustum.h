@@ -1,7 +1,7 @@
 #pragma once
 /// The camera, and the planes that bound what it sees.
-///   View view = look(eye, forward, up, glm::radians(60.0), 16.0 / 9.0);   // reversed infinite depth is the drawing's
-///   affair FrustumD exact = make_frustum(view);                                  // double, relative to the eye
+///   View view = look(eye, forward, up, glm::radians(60.0), 16.0 / 9.0);   // reversed depth is the drawing's affair
+///   FrustumD exact = make_frustum(view);                                  // double, relative to the eye
 ///   Frustum frustum = narrow(exact, tree.origin);                         // float, relative to the tree's origin
 /// Planes come from the camera's parameters, never from the rows of a matrix: the far plane of a float matrix lies
 /// kilometres off [numerics 1].
@@ -42,6 +42,7 @@ struct Plane {
 enum PlaneIndex : std::uint8_t { kLeft, kRight, kBottom, kTop, kNear, kFar };
 
 /// Planes relative to the eye: p = position in L - eye. Exact to 4 units in the last place of the camera's parameters.
+/// A side whose normal is not finite (a tangent that is not) becomes a plane with normal 0, which never culls.
 struct FrustumD {
   Vec3d eye{0, 0, 0};
   std::array<PlaneD, 6> planes{};
@@ -50,9 +51,11 @@ struct FrustumD {
 FrustumD make_frustum(const View& view);
 
 /// Planes relative to an origin o: p = position in L - o. For the float tests of culling/overlap.h, whose margin covers
-/// the rounding done here.
+/// the rounding done here. `slack`, metres: the part of that rounding that does not show in the float operands, because
+/// large doubles cancelled in `offset` or because a product underflows.
 struct Frustum {
   std::array<Plane, 6> planes{};
+  std::array<float, 6> slack{};
   int count = 0;
 };
 Frustum narrow(const FrustumD& frustum, const Vec3d& origin);

@@ -4,6 +4,7 @@
 ///   std::vector<ObjectRun> runs; reserve_runs(runs, table);                    // once
 ///   cull_objects(table, block_runs, frustum, runs);                            // each frame, no allocation
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct ObjectRun {
 struct ObjectTable {
   std::vector<std::uint32_t> first;  ///< leaves + 1
   std::vector<float> min_x, min_y, min_z, max_x, max_y, max_z;
+  /// No coordinate is larger than its axis' reach, metres: one rounding margin for the whole table. Infinite, nothing
+  /// is ever culled.
+  Vec3 reach{std::numeric_limits<float>::infinity()};
   std::uint32_t size() const { return static_cast<std::uint32_t>(min_x.size()); }
 };
 
@@ -28,7 +32,10 @@ struct ObjectTable {
 /// empty or not finite (with its index).
 ObjectTable build_object_table(const Vec3d& origin, std::span<const BoxD> boxes, std::vector<std::uint32_t> first);
 
-/// Appends to nothing: `out` is cleared, and filled with the disjoint, rising runs of the objects that are not outside.
+/// Room for any answer.
+void reserve_runs(std::vector<ObjectRun>& runs, const ObjectTable& table);
+
+/// `out` is cleared, and filled with the disjoint, rising runs of the objects that are not outside.
 /// Blocks that are inside give their objects untested; those that cross are tested one by one, box against frustum.
 /// Allocates nothing when out.capacity() >= table.size().
 void cull_objects(const ObjectTable& table, std::span<const LeafRun> blocks, const Frustum& frustum,

@@ -37,6 +37,8 @@ struct BoxD {
 
 BoxD merge(const BoxD& box, const Vec3d& point);
 BoxD merge(const BoxD& a, const BoxD& b);
+/// Of a box that is not empty; no overflow up to the largest double.
+Vec3d center(const BoxD& box);
 
 /// The smallest of the known enclosing balls of `spheres`, none of it trusted to rounding: the centre is that of the
 /// box of the balls, the radius reaches round each of them and is then enlarged by more than its own error. Empty
