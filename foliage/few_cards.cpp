@@ -1,0 +1,222 @@
+#include "foliage/few_cards.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace manzana::foliage {
+namespace {
+
+constexpr int kPixels = 96;
+
+/// A black and white picture of the plant's side.
+class Raster {
+ public:
+  Raster(const Silhouette& silhouette, float angle)
+      : silhouette_(silhouette), across_(std::cos(angle), std::sin(angle), 0), hit_(kPixels * kPixels, false) {}
+
+  void draw(const MeshPart& part, bool leaf) {
+    for (std::size_t t = 0; t + 2 < part.indices.size(); t += 3)
+      triangle(part.vertices[part.indices[t]], part.vertices[part.indices[t + 1]], part.vertices[part.indices[t + 2]],
+               leaf);
+  }
+
+  float share() const { return static_cast<float>(std::count(hit_.begin(), hit_.end(), true)) / (kPixels * kPixels); }
+
+ private:
+  Vec2 project(const Vec3& p) const {
+    const PlantSize& size = silhouette_.size;
+    return Vec2(0.5F + 0.5F * glm::dot(p, across_) / size.radius, p.z / size.height) * static_cast<float>(kPixels);
+  }
+
+  bool opaque(const Vec2& uv) const {
+    const Image& image = silhouette_.leaf;
+    const auto at = [&](float v) {
+      return static_cast<std::size_t>(
+          std::clamp(static_cast<int>((v - std::floor(v)) * static_cast<float>(image.size)), 0, image.size - 1));
+    };
+    return image.rgba[4 * (at(uv.y) * static_cast<std::size_t>(image.size) + at(uv.x)) + 3] >= 128;
+  }
+
+  void triangle(const MeshVertex& a, const MeshVertex& b, const MeshVertex& c, bool leaf) {
+    const Vec2 pa = project(a.position), pb = project(b.position) - pa, pc = project(c.position) - pa;
+    const float area = pb.x * pc.y - pb.y * pc.x;
+    if (std::abs(area) < 1e-9F) return;
+    const Vec2 low = glm::min(glm::min(Vec2(0), pb), pc) + pa, high = glm::max(glm::max(Vec2(0), pb), pc) + pa;
+    const auto pixel = [](float v) { return static_cast<int>(std::clamp(std::ceil(v - 0.5F), 0.0F, 1.0F * kPixels)); };
+    for (int y = pixel(low.y); y < pixel(high.y); ++y) {
+      for (int x = pixel(low.x); x < pixel(high.x); ++x) {
+        const Vec2 p = Vec2(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F) - pa;
+        const float v = (p.x * pc.y - p.y * pc.x) / area, w = (pb.x * p.y - pb.y * p.x) / area;
+        if (v < 0 || w < 0 || v + w > 1) continue;
+        if (leaf && !opaque(a.uv + (b.uv - a.uv) * v + (c.uv - a.uv) * w)) continue;
+        hit_[static_cast<std::size_t>(y * kPixels + x)] = true;
+      }
+    }
+  }
+
+  const Silhouette& silhouette_;
+  Vec3 across_;
+  std::vector<bool> hit_;
+};
+
+constexpr std::array<float, 3> kViews{0.3F, 1.35F, 2.4F};  // radians; three sides of the tree
+
+float mean_coverage(const PlantMesh& mesh, const Silhouette& silhouette) {
+  float sum = 0;
+  for (const float angle : kViews) sum += side_coverage(mesh, silhouette, angle);
+  return sum / kViews.size();
+}
+
+struct Card {
+  std::vector<std::uint32_t> triangles;  // of the fine level, each the place of its first index
+  Vec3 middle{0};
+  std::size_t group = 0;
+};
+
+std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t v) {
+  while (parent[v] != v) v = parent[v] = parent[parent[v]];
+  return v;
+}
+
+/// Triangles that share a vertex are one card.
+std::vector<Card> find_cards(const MeshPart& leaves) {
+  std::vector<std::uint32_t> parent(leaves.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  for (std::size_t i = 0; i < leaves.indices.size(); ++i)
+    parent[root_of(parent, leaves.indices[i])] = root_of(parent, leaves.indices[i - i % 3]);
+  std::vector<Card> cards;
+  std::vector<std::uint32_t> card_of(parent.size(), ~0U);
+  for (std::uint32_t t = 0; t + 2 < leaves.indices.size(); t += 3) {
+    std::uint32_t& card = card_of[root_of(parent, leaves.indices[t])];
+    if (card == ~0U) card = static_cast<std::uint32_t>(cards.size()), cards.emplace_back();
+    cards[card].triangles.push_back(t);
+  }
+  for (Card& card : cards) {
+    for (const std::uint32_t t : card.triangles)
+      for (std::size_t k = 0; k < 3; ++k) card.middle += leaves.vertices[leaves.indices[t + k]].position;
+    card.middle /= 3.0F * static_cast<float>(card.triangles.size());
+  }
+  return cards;
+}
+
+float distance2(const Vec3& a, const Vec3& b) { return glm::dot(a - b, a - b); }
+
+std::size_t nearest(const std::vector<Vec3>& centres, const Vec3& p) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < centres.size(); ++i)
+    if (distance2(centres[i], p) < distance2(centres[best], p)) best = i;
+  return best;
+}
+
+/// Lloyd's algorithm from evenly drawn cards; the groups' centres.
+std::vector<Vec3> group(std::vector<Card>& cards, std::size_t count) {
+  constexpr int kRounds = 6;
+  std::vector<Vec3> centres;
+  for (std::size_t i = 0; i < count; ++i) centres.push_back(cards[(2 * i + 1) * cards.size() / (2 * count)].middle);
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<Vec3> sums(count, Vec3(0));
+    std::vector<float> members(count, 0);
+    for (Card& card : cards) {
+      card.group = nearest(centres, card.middle);
+      sums[card.group] += card.middle;
+      members[card.group] += 1;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      if (members[i] > 0) centres[i] = sums[i] / members[i];
+  }
+  return centres;
+}
+
+/// One card of each group, the one nearest to its centre; of equals the first.
+std::vector<std::size_t> representatives(const std::vector<Card>& cards, const std::vector<Vec3>& centres) {
+  std::vector<std::size_t> best(centres.size(), cards.size());
+  for (std::size_t i = 0; i < cards.size(); ++i) {
+    std::size_t& b = best[cards[i].group];
+    const Vec3& centre = centres[cards[i].group];
+    if (b == cards.size() || distance2(cards[i].middle, centre) < distance2(cards[b].middle, centre)) b = i;
+  }
+  std::erase(best, cards.size());
+  return best;
+}
+
+/// Moves points so that all lie within the plant's cylinder, as one body where that is possible.
+void push_inside(std::span<MeshVertex> vertices, const PlantSize& size) {
+  for (int round = 0; round < 3; ++round) {
+    Vec3 shift(0);
+    for (const MeshVertex& v : vertices) {
+      const Vec2 flat(v.position.x, v.position.y);
+      const float r = glm::length(flat);
+      if (r > size.radius) shift -= Vec3(flat * ((r - size.radius) / r), 0) * 0.7F;
+      shift.z = std::min(shift.z, size.height - v.position.z);
+    }
+    for (MeshVertex& v : vertices) v.position += shift;
+  }
+}
+
+class Thinning {
+ public:
+  Thinning(const PlantMesh& fine, const PlantSize& size, std::size_t most)
+      : leaves_(fine.leaves), size_(size), cards_(find_cards(fine.leaves)) {
+    if (cards_.empty()) return;
+    centres_ = group(cards_, std::min(most, cards_.size()));
+    chosen_ = representatives(cards_, centres_);
+  }
+
+  MeshPart scaled(float scale) const {
+    MeshPart out;
+    for (const std::size_t c : chosen_) add_card(out, cards_[c], scale);
+    return out;
+  }
+
+ private:
+  void add_card(MeshPart& out, const Card& card, float scale) const {
+    const std::size_t first = out.vertices.size();
+    const Vec3& to = centres_[card.group];
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> known;  // fine index, coarse index
+    for (const std::uint32_t t : card.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t i = leaves_.indices[t + k];
+        auto found = std::find_if(known.begin(), known.end(), [&](const auto& pair) { return pair.first == i; });
+        if (found == known.end()) {
+          MeshVertex v = leaves_.vertices[i];
+          v.position = to + (v.position - card.middle) * scale;
+          found = known.insert(known.end(), {i, static_cast<std::uint32_t>(out.vertices.size())});
+          out.vertices.push_back(v);
+        }
+        out.indices.push_back(found->second);
+      }
+    }
+    push_inside(std::span(out.vertices).subspan(first), size_);
+  }
+
+  const MeshPart& leaves_;
+  PlantSize size_;
+  std::vector<Card> cards_;
+  std::vector<Vec3> centres_;
+  std::vector<std::size_t> chosen_;
+};
+
+}  // namespace
+
+float side_coverage(const PlantMesh& mesh, const Silhouette& silhouette, float angle) {
+  Raster raster(silhouette, angle);
+  raster.draw(mesh.bark, false);
+  raster.draw(mesh.leaves, true);
+  return raster.share();
+}
+
+MeshPart few_cards(const PlantMesh& fine, const MeshPart& bark, const Silhouette& silhouette, std::size_t most) {
+  constexpr int kHalvings = 9;
+  const Thinning thinning(fine, silhouette.size, most);
+  const float wanted = mean_coverage(fine, silhouette);
+  float low = 0.5F, high = 16;
+  for (int i = 0; i < kHalvings; ++i) {
+    const float middle = std::sqrt(low * high);
+    const PlantMesh mesh{bark, thinning.scaled(middle)};
+    (mean_coverage(mesh, silhouette) < wanted ? low : high) = middle;
+  }
+  return thinning.scaled(std::sqrt(low * high));
+}
+
+}  // namespace manzana::foliage

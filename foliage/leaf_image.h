@@ -1,0 +1,24 @@
+#pragma once
+/// The pictures that a generated plant wears, drawn by code: a twig with many leaves, and bark.
+#include <string>
+
+#include "foliage/plant.h"
+
+namespace manzana::foliage {
+
+inline constexpr int kPlantImageSize = 256;
+
+/// A twig that grows from the middle of the lower edge to the upper one. `shape`: oval, needle or round; `rgb`: sRGB
+/// 0xrrggbb of its leaves. Throws std::invalid_argument for another shape.
+Image leaf_image(const std::string& shape, std::uint32_t rgb, std::uint64_t seed);
+
+/// Repeats without a seam in both directions; ridges run along v.
+Image bark_image(std::uint32_t rgb, std::uint64_t seed);
+
+/// Gives texels whose alpha is 0 the colour of the nearest that has some. Grey where none has.
+void dilate_colour(Image& image);
+
+float linear_of_srgb(std::uint8_t value);  ///< [0, 1]
+std::uint8_t srgb_of_linear(float value);  ///< clamped
+
+}  // namespace manzana::foliage
