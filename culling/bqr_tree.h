@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "culling/frustum_lanes.h"
 #include "culling/overlap.h"
 
 namespace manzana::culling {
@@ -24,10 +25,11 @@ struct BlockVolume {
   SphereD sphere;
 };
 
-/// Half-open run of leaves, and whether all of it is certainly inside.
+/// Half-open run of leaves, and whether all of it is certainly inside. Bit k of `planes`: it may reach beyond plane k.
 struct LeafRun {
   std::uint32_t first = 0, last = 0;
   Overlap where = Overlap::crosses;
+  std::uint8_t planes = 0xFF;
 };
 
 struct BqrNode {
@@ -66,14 +68,16 @@ struct CullStats {
 template <class Emit>
 CullStats cull(const BqrTree& tree, const Frustum& frustum, Emit&& emit) {
   CullStats stats;
+  const FrustumLanes planes(frustum);
   const auto end = static_cast<std::uint32_t>(tree.nodes.size());
   for (std::uint32_t i = 0; i < end;) {
     const BqrNode& node = tree.nodes[i];
-    const Overlap where =
-        node.leaf() ? overlap(frustum, node.bounds, tree.leaf_boxes[node.first]) : overlap(frustum, node.bounds);
+    const Sides at = node.leaf() ? sides(planes, node.bounds, tree.leaf_boxes[node.first]) : sides(planes, node.bounds);
+    const Overlap where = to_overlap(at);
     ++(node.leaf() ? stats.leaves_tested : stats.nodes_tested);
     const bool descend = where == Overlap::crosses && !node.leaf();
-    if (!descend && where != Overlap::outside) emit(LeafRun{node.first, node.last, where});
+    if (!descend && where != Overlap::outside)
+      emit(LeafRun{node.first, node.last, where, static_cast<std::uint8_t>(~at.inside)});
     i = descend ? i + 1 : node.skip;
   }
   return stats;

@@ -1,15 +1,19 @@
 #include "culling/object_table.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "culling/simd.h"
+
 namespace manzana::culling {
 namespace {
 
-constexpr std::size_t kPacket = 8;
+constexpr std::uint32_t kPacket = 8;
 
 bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -20,54 +24,57 @@ struct PlaneColumns {
   float a, b, c, d;
 };
 
-struct Test {
-  std::array<PlaneColumns, 6> planes;
-  std::size_t count = 0;
-};
+using Test = std::array<PlaneColumns, 6>;
 
 Test make_test(const ObjectTable& t, const Frustum& frustum) {
-  Test test;
+  Test test{};
   for (std::size_t k = 0; k < static_cast<std::size_t>(frustum.count); ++k) {
     const auto& [n, d] = frustum.planes[k];
     const Vec3 sizes = glm::abs(n) * t.reach;
     // Twice the margin of overlap.h: the sum with d rounds once more here.
     const float margin = 2 * kMargin * (sizes.x + sizes.y + sizes.z + std::abs(d)) + frustum.slack[k];
-    test.planes[test.count++] = {(n.x >= 0 ? t.max_x : t.min_x).data(),
-                                 (n.y >= 0 ? t.max_y : t.min_y).data(),
-                                 (n.z >= 0 ? t.max_z : t.min_z).data(),
-                                 n.x,
-                                 n.y,
-                                 n.z,
-                                 d + margin};
+    test[k] = {(n.x >= 0 ? t.max_x : t.min_x).data(),
+               (n.y >= 0 ? t.max_y : t.min_y).data(),
+               (n.z >= 0 ? t.max_z : t.min_z).data(),
+               n.x,
+               n.y,
+               n.z,
+               d + margin};
   }
   return test;
 }
 
-/// The least of the planes' answers for `Count` objects from `i` on. Plain loops over fixed counts: compilers turn them
-/// into packed multiplications and minima.
-template <std::size_t Count>
-void least_distances(const Test& test, std::size_t i, std::array<float, Count>& least) {
-  least.fill(std::numeric_limits<float>::infinity());
-  for (std::size_t k = 0; k < test.count; ++k) {
-    const PlaneColumns p = test.planes[k];
-    for (std::size_t j = 0; j < Count; ++j) {
-      const float s = p.a * p.x[i + j] + p.b * p.y[i + j] + p.c * p.z[i + j] + p.d;
-      least[j] = s < least[j] ? s : least[j];  // a NaN leaves the object in
-    }
+/// Objects of one block or several, and the planes (bits) that they may reach beyond.
+struct Doubtful {
+  std::uint32_t first, last;
+  unsigned planes;
+};
+
+/// Bit j: object i + j is not outside, for the eight objects from i on.
+unsigned kept(const Test& test, unsigned planes, std::size_t i) {
+  Float4 left = splat(std::numeric_limits<float>::infinity());
+  Float4 right = left;
+  for (; planes != 0; planes &= planes - 1) {
+    const PlaneColumns& p = test[static_cast<std::size_t>(std::countr_zero(planes))];
+    const Float4 a = splat(p.a), b = splat(p.b), c = splat(p.c), d = splat(p.d);
+    // A NaN leaves the object in: minimum() then answers its second operand.
+    left = minimum(a * load(p.x + i) + b * load(p.y + i) + c * load(p.z + i) + d, left);
+    right = minimum(a * load(p.x + i + 4) + b * load(p.y + i + 4) + c * load(p.z + i + 4) + d, right);
   }
+  const Float4 zero = splat(0);
+  return ~(less(left, zero) | less(right, zero) << 4) & 0xFFU;
 }
 
-/// Bit j: object i + j is not outside.
-template <std::size_t Count>
-unsigned kept(const Test& test, std::size_t i) {
-  std::array<float, Count> least;
-  least_distances(test, i, least);
-  unsigned bits = 0;
-  for (std::size_t j = 0; j < Count; ++j) bits |= least[j] < 0 ? 0U : 1U << j;
-  return bits;
+bool kept_alone(const Test& test, unsigned planes, std::size_t i) {
+  for (; planes != 0; planes &= planes - 1) {
+    const PlaneColumns& p = test[static_cast<std::size_t>(std::countr_zero(planes))];
+    if (p.a * p.x[i] + p.b * p.y[i] + p.c * p.z[i] + p.d < 0) return false;
+  }
+  return true;
 }
 
 void append(std::vector<ObjectRun>& runs, std::uint32_t first, std::uint32_t last) {
+  if (first == last) return;
   if (!runs.empty() && runs.back().last == first)
     runs.back().last = last;
   else
@@ -83,10 +90,17 @@ void append_bits(std::vector<ObjectRun>& runs, std::uint32_t first, unsigned bit
   }
 }
 
-void test_objects(const Test& test, ObjectRun objects, std::vector<ObjectRun>& out) {
+void test_objects(const Test& test, const Doubtful& objects, std::vector<ObjectRun>& out) {
   std::uint32_t i = objects.first;
-  for (; i + kPacket <= objects.last; i += kPacket) append_bits(out, i, kept<kPacket>(test, i));
-  for (; i < objects.last; ++i) append_bits(out, i, kept<1>(test, i));
+  for (; i + kPacket <= objects.last; i += kPacket) append_bits(out, i, kept(test, objects.planes, i));
+  if (i == objects.last) return;
+  if (objects.last >= kPacket) {  // a whole packet that ends with the last object, less what was tested already
+    const std::uint32_t start = objects.last - kPacket;
+    append_bits(out, i, kept(test, objects.planes, start) >> (i - start));
+  } else {
+    for (; i < objects.last; ++i)
+      if (kept_alone(test, objects.planes, i)) append(out, i, i + 1);
+  }
 }
 
 }  // namespace
@@ -119,13 +133,13 @@ void cull_objects(const ObjectTable& table, std::span<const LeafRun> blocks, con
                   std::vector<ObjectRun>& out) {
   out.clear();
   const Test test = make_test(table, frustum);
+  const unsigned all = (1U << frustum.count) - 1U;
   for (const LeafRun& run : blocks) {
-    const ObjectRun objects{table.first[run.first], table.first[run.last]};
-    if (objects.first == objects.last) continue;
-    if (run.where == Overlap::inside)
-      append(out, objects.first, objects.last);
+    const std::uint32_t first = table.first[run.first], last = table.first[run.last];
+    if (run.where == Overlap::crosses)
+      test_objects(test, {first, last, run.planes & all}, out);
     else
-      test_objects(test, objects, out);
+      append(out, first, last);
   }
 }
 

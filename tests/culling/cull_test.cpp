@@ -59,6 +59,19 @@ TEST_CASE("tree and objects: nothing visible is lost, and little else is taken")
   CHECK(ratio <= 1.02);
 }
 
+/// The best of some batches: other programs only ever make it slower.
+template <class F>
+double quickest_us(F f) {
+  double best = std::numeric_limits<double>::infinity();
+  for (int batch = 0; batch < 9; ++batch) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < 10; ++i) f();
+    const auto end = std::chrono::steady_clock::now();
+    best = std::min(best, std::chrono::duration<double, std::micro>(end - start).count() / 10);
+  }
+  return best;
+}
+
 TEST_CASE("time of a query", "[.bench]") {
   const Scene s = make_scene(20, 25, 1);
   std::vector<LeafRun> blocks;
@@ -66,24 +79,29 @@ TEST_CASE("time of a query", "[.bench]") {
   reserve_runs(runs, s.table);
   blocks.reserve(s.tree.order.size());
   std::vector<double> tree_us, all_us;
+  std::uint64_t nodes = 0, leaves = 0, tested = 0, out_runs = 0;
   for (int frame = 0; frame < 300; ++frame) {
     const View view = pina_view(s.city, frame / 299.0);
     const Frustum frustum = narrow(make_frustum(view), s.tree.origin);
-    const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < 100; ++i) {
+    blocks.clear();
+    const CullStats stats = cull(s.tree, frustum, [&](const LeafRun& run) { blocks.push_back(run); });
+    nodes += stats.nodes_tested;
+    leaves += stats.leaves_tested;
+    for (const LeafRun& run : blocks)
+      if (run.where == Overlap::crosses) tested += s.table.first[run.last] - s.table.first[run.first];
+    tree_us.push_back(quickest_us([&] {
       blocks.clear();
       cull(s.tree, frustum, [&](const LeafRun& run) { blocks.push_back(run); });
-    }
-    const auto middle = std::chrono::steady_clock::now();
-    for (int i = 0; i < 100; ++i) cull_objects(s.table, blocks, frustum, runs);
-    const auto end = std::chrono::steady_clock::now();
-    tree_us.push_back(std::chrono::duration<double, std::micro>(middle - start).count() / 100);
-    all_us.push_back(std::chrono::duration<double, std::micro>(end - start).count() / 100);
+    }));
+    all_us.push_back(tree_us.back() + quickest_us([&] { cull_objects(s.table, blocks, frustum, runs); }));
+    out_runs += runs.size();
   }
   std::sort(tree_us.begin(), tree_us.end());
   std::sort(all_us.begin(), all_us.end());
   std::cout << s.table.size() << " objects in " << s.tree.order.size() << " blocks: tree " << tree_us[150]
-            << " us, tree and objects " << all_us[150] << " us (median), " << all_us.back() << " us (worst)\n";
+            << " us, tree and objects " << all_us[150] << " us (median), " << all_us.back()
+            << " us (worst); mean of a frame: " << nodes / 300 << " nodes and " << leaves / 300 << " leaves tested, "
+            << tested / 300 << " objects tested, " << out_runs / 300 << " runs\n";
 }
 
 }  // namespace
