@@ -2,7 +2,7 @@
 /// camera, time -> what is seen: the middle of the way of the data, once a frame.
 ///   VisibleSets sets(scene);                                  // reserves once; no allocation afterwards
 ///   find_visible(scene, view, Structure::bqr, sets);
-///   find_cars(scene, view, tick, Structure::bqr, sets);
+///   find_cars(scene, tick, Structure::bqr, sets);
 #include <cstdint>
 #include <vector>
 

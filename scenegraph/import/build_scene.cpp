@@ -1,1 +1,207 @@
+// The order of work: streets become a graph, everything gets a centre, centres fall into blocks, blocks get frames,
+// objects get meshes in them, meshes give bounds, bounds give the tree, and the tree gives the order that all is stored
+// in.
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+#include "culling/hash.h"
+#include "scenegraph/import/blocks.h"
+#include "scenegraph/import/build_traffic.h"
 #include "scenegraph/import/import.h"
+#include "scenegraph/import/layers.h"
+#include "scenegraph/import/meshes.h"
+
+namespace manzana {
+namespace {
+
+using culling::BoxD;
+
+class Builder {
+ public:
+  Builder(CityFeatures features, const ImportOptions& options, const Progress& progress)
+      : f_(std::move(features)), options_(options), progress_(progress), scene_{f_.frame} {}
+
+  Imported run() {
+    const auto start = std::chrono::steady_clock::now();
+    plan();
+    drive();
+    make_meshes();
+    const std::vector<std::uint32_t> new_of_old = make_tree();
+    store(new_of_old);
+    Imported result{std::move(scene_), std::move(f_.issues), report_};
+    result.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+  }
+
+ private:
+  void tell(std::string_view stage, double fraction) const {
+    if (progress_) progress_(stage, fraction);
+  }
+
+  // Streets, scattered trees, pieces of ground; then the blocks of all centres: buildings, trees, pieces, in this
+  // order.
+  void plan() {
+    tell("streets", 0);
+    graph_ = build_street_graph(std::move(f_.streets), f_.issues);
+    f_.streets = graph_.streets;
+    tell("trees of woods and parks", 0);
+    const std::vector<TreeFeature> scattered = scatter_trees(f_, options_.seed);
+    f_.trees.insert(f_.trees.end(), scattered.begin(), scattered.end());
+    tell("ground", 0);
+    pieces_ = area_pieces(f_.areas, f_.issues);
+    for (SurfacePiece& piece : street_pieces(graph_, f_.issues)) pieces_.push_back(std::move(piece));
+    tell("blocks", 0);
+    BlockOptions options;
+    options.left_hand_traffic = f_.left_hand_traffic;
+    plan_ = find_blocks(graph_, centers(), options);
+    frames_.reserve(plan_.blocks.size());
+    for (const BlockGround& ground : plan_.blocks) frames_.push_back(block_frame(f_.frame, ground.center));
+  }
+
+  std::vector<Vec2d> centers() const {
+    std::vector<Vec2d> result;
+    result.reserve(f_.buildings.size() + f_.trees.size() + pieces_.size());
+    for (const BuildingFeature& building : f_.buildings) result.push_back(middle(building.footprint.outer));
+    for (const TreeFeature& tree : f_.trees) result.push_back(tree.position);
+    for (const SurfacePiece& piece : pieces_) result.push_back(piece.center);
+    return result;
+  }
+  // Of the bounding box: the centre that decides the block need not be the centroid.
+  static Vec2d middle(const std::vector<Vec2d>& ring) {
+    if (ring.empty()) return {0, 0};
+    Vec2d low = ring[0], high = ring[0];
+    for (const Vec2d& p : ring) {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+    return low + (high - low) / 2.0;
+  }
+
+  void drive() {
+    tell("traffic", 0);
+    scene_.traffic =
+        build_traffic(f_.frame, graph_, plan_.half_streets, static_cast<std::uint32_t>(plan_.blocks.size()),
+                      {.cars = options_.cars, .left_hand = f_.left_hand_traffic, .seed = options_.seed});
+  }
+
+  void make_meshes() {
+    tell("buildings", 0);
+    buildings_.resize(f_.buildings.size());
+    std::vector<std::vector<Issue>> issues(buildings_.size());
+    tbb::parallel_for(std::size_t{0}, buildings_.size(), [&](std::size_t i) {
+      MeshObject& object = buildings_[i];
+      object.block = plan_.of[i];
+      append_building(object.mesh, {f_.frame, frames_[object.block]}, f_.buildings[i], issues[i]);
+      object.box = bounds(object.mesh, frames_[object.block]);
+    });
+    for (auto& list : issues) std::move(list.begin(), list.end(), std::back_inserter(f_.issues));
+    tell("laying the ground", 0);
+    surfaces_.resize(pieces_.size());
+    const std::size_t first = f_.buildings.size() + f_.trees.size();
+    tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
+      MeshObject& object = surfaces_[i];
+      object.block = plan_.of[first + i];
+      object.mesh = lay(std::move(pieces_[i]), {f_.frame, frames_[object.block]});
+      object.box = bounds(object.mesh, frames_[object.block]);
+    });
+    plant();
+  }
+
+  void plant() {
+    trees_.resize(f_.trees.size());
+    for (std::size_t i = 0; i < trees_.size(); ++i) {
+      const TreeFeature& tree = f_.trees[i];
+      const std::uint32_t block = plan_.of[f_.buildings.size() + i];
+      const Vec3d foot = ground_point(f_.frame, frames_[block], tree.position);
+      trees_[i].instance = {.position = foot,
+                            .height_m = static_cast<float>(tree.height),
+                            .crown_radius_m = static_cast<float>(tree.crown_radius),
+                            .yaw = static_cast<float>(6.283185307179586 * hash_unit(options_.seed + 21, i)),
+                            .block = block,
+                            .kind = tree.kind,
+                            .tint = static_cast<std::uint8_t>(hash_bits(options_.seed + 22, i) & 255u)};
+      trees_[i].box = bounds(trees_[i].instance, frames_[block]);
+    }
+  }
+
+  // Blocks' volumes from their content, then the tree. Returns the new number of each block.
+  std::vector<std::uint32_t> make_tree() {
+    tell("tree", 0);
+    std::vector<BlockContent> content(plan_.blocks.size());
+    for (const MeshObject& object : buildings_) content[object.block].add(object.box);
+    for (const MeshObject& object : surfaces_) content[object.block].add(object.box);
+    for (const TreeObject& object : trees_) content[object.instance.block].add(object.box);
+    for (std::uint32_t half = 0; half < scene_.traffic.halves.size(); ++half)
+      content[scene_.traffic.halves[half].block].add(half_street_bounds(scene_.traffic, half));
+    std::vector<culling::BlockVolume> volumes;
+    volumes.reserve(content.size());
+    for (std::size_t b = 0; b < content.size(); ++b) {
+      const Vec2d center = plan_.blocks[b].center;
+      volumes.push_back(content[b].volume(center, frames_[b].origin));
+    }
+    scene_.tree = culling::build_bqr_tree(volumes);
+    std::vector<std::uint32_t> new_of_old(volumes.size());
+    for (std::uint32_t leaf = 0; leaf < scene_.tree.order.size(); ++leaf) new_of_old[scene_.tree.order[leaf]] = leaf;
+    return new_of_old;
+  }
+
+  void store(const std::vector<std::uint32_t>& new_of_old) {
+    tell("storing", 0);
+    const auto blocks = static_cast<std::uint32_t>(frames_.size());
+    scene_.blocks.resize(blocks);
+    for (std::uint32_t old = 0; old < blocks; ++old) scene_.blocks[new_of_old[old]] = frames_[old];
+    count(blocks);
+    for (MeshObject& object : buildings_) object.block = new_of_old[object.block];
+    for (MeshObject& object : surfaces_) object.block = new_of_old[object.block];
+    for (TreeObject& object : trees_) object.instance.block = new_of_old[object.instance.block];
+    reorder_blocks(scene_.traffic, new_of_old);
+    scene_.buildings = make_layer(std::move(buildings_), blocks, scene_.tree.origin);
+    scene_.surfaces = make_layer(std::move(surfaces_), blocks, scene_.tree.origin);
+    for (const TreeObject& tree : trees_) scene_.bounds = merge(scene_.bounds, tree.box);
+    scene_.trees = make_layer(std::move(trees_), blocks, scene_.tree.origin);
+    scene_.attribution = std::move(f_.attribution);
+  }
+
+  // Objects a block, before anything is moved away.
+  void count(std::uint32_t blocks) {
+    std::vector<std::size_t> objects(blocks, 0);
+    for (const MeshObject& object : buildings_) objects[object.block] += object.box.empty() ? 0 : 1;
+    for (const MeshObject& object : surfaces_) objects[object.block] += object.box.empty() ? 0 : 1;
+    for (const TreeObject& object : trees_) ++objects[object.instance.block];
+    for (const auto* layer : {&buildings_, &surfaces_})
+      for (const MeshObject& object : *layer) scene_.bounds = merge(scene_.bounds, object.box);
+    report_.blocks = blocks;
+    report_.objects = std::accumulate(objects.begin(), objects.end(), std::size_t{0});
+    for (std::size_t b = 0; b < blocks; ++b) {
+      report_.fallback_blocks += plan_.blocks[b].fallback ? 1 : 0;
+      report_.fallback_objects += plan_.blocks[b].fallback ? objects[b] : 0;
+    }
+    if (objects.empty()) return;
+    std::sort(objects.begin(), objects.end());
+    report_.objects_median = objects[objects.size() / 2];
+    report_.objects_largest = objects.back();
+  }
+
+  CityFeatures f_;
+  const ImportOptions& options_;
+  const Progress& progress_;
+  Scene scene_;
+  ImportReport report_;
+  StreetGraph graph_;
+  BlockPlan plan_;
+  std::vector<BlockFrame> frames_;
+  std::vector<SurfacePiece> pieces_;
+  std::vector<MeshObject> buildings_, surfaces_;
+  std::vector<TreeObject> trees_;
+};
+
+}  // namespace
+
+Imported build_scene(CityFeatures features, const ImportOptions& options, const Progress& progress) {
+  return Builder(std::move(features), options, progress).run();
+}
+
+}  // namespace manzana

@@ -1,0 +1,106 @@
+#include "scenegraph/import/layers.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace manzana {
+namespace {
+
+using culling::BoxD;
+
+// A float scaled by (r, r, h) on the GPU may come out some units in the last place larger.
+constexpr double kTreeSlack = 1 + 1e-5;
+
+std::vector<std::uint32_t> first_of_blocks(std::span<const std::uint32_t> sorted_blocks, std::uint32_t blocks) {
+  std::vector<std::uint32_t> first(blocks + 1, 0);
+  for (const std::uint32_t block : sorted_blocks) ++first[block + 1];
+  for (std::uint32_t b = 0; b < blocks; ++b) first[b + 1] += first[b];
+  return first;
+}
+
+void append(MeshLayer& layer, const MeshObject& object) {
+  const std::size_t base = layer.mesh.vertices.size();
+  if (base + object.mesh.vertices.size() > std::numeric_limits<std::uint32_t>::max() ||
+      layer.mesh.indices.size() + object.mesh.indices.size() > std::numeric_limits<std::uint32_t>::max())
+    throw std::runtime_error("more than 2^32 vertices or indices in one layer");
+  for (CityVertex v : object.mesh.vertices) {
+    v.block = object.block;
+    layer.mesh.vertices.push_back(v);
+  }
+  for (const std::uint32_t i : object.mesh.indices) layer.mesh.indices.push_back(static_cast<std::uint32_t>(base) + i);
+  layer.index_first.push_back(static_cast<std::uint32_t>(layer.mesh.indices.size()));
+}
+
+}  // namespace
+
+BoxD bounds(const CityMesh& mesh, const BlockFrame& frame) {
+  BoxD box;
+  for (const CityVertex& v : mesh.vertices) box = merge(box, frame.to_local(v.position));
+  return box;
+}
+
+BoxD bounds(const TreeInstance& tree, const BlockFrame& frame) {
+  const Vec3d foot = tree.position;
+  const double r = static_cast<double>(tree.crown_radius_m) * kTreeSlack,
+               h = static_cast<double>(tree.height_m) * kTreeSlack;
+  BoxD box;
+  for (const double x : {-r, r})
+    for (const double y : {-r, r})
+      for (const double z : {-1e-5 * h, h}) box = merge(box, frame.to_local(foot + Vec3d(x, y, z)));
+  return box;
+}
+
+CityMesh lay(SurfacePiece piece, const Site& site) {
+  for (CityVertex& v : piece.plan.vertices) {
+    const Vec2d plan = piece.center + Vec2d(v.position.x, v.position.y);
+    v.position = ground_point(site.frame, site.block, plan, static_cast<double>(v.position.z));
+  }
+  return std::move(piece.plan);
+}
+
+void BlockContent::add(const BoxD& box) {
+  if (box.empty()) return;
+  box_ = merge(box_, box);
+  balls_.push_back(enclosing_sphere(box));
+}
+
+culling::BlockVolume BlockContent::volume(const Vec2d& center, const Vec3d& ground) const {
+  if (box_.empty()) return {center, {ground, ground}, {ground, 0}};
+  const culling::SphereD round_box = enclosing_sphere(box_), round_balls = culling::enclosing_sphere(balls_);
+  return {center, box_, round_balls.radius < round_box.radius ? round_balls : round_box};
+}
+
+MeshLayer make_layer(std::vector<MeshObject> objects, std::uint32_t blocks, const Vec3d& origin) {
+  std::erase_if(objects, [](const MeshObject& o) { return o.mesh.indices.empty(); });
+  std::stable_sort(objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.block < b.block; });
+  MeshLayer layer;
+  layer.index_first.push_back(0);
+  std::vector<BoxD> boxes;
+  std::vector<std::uint32_t> block_of;
+  for (MeshObject& object : objects) {
+    append(layer, object);
+    boxes.push_back(object.box);
+    block_of.push_back(object.block);
+    object.mesh = {};
+  }
+  layer.table = build_object_table(origin, boxes, first_of_blocks(block_of, blocks));
+  return layer;
+}
+
+TreeLayer make_layer(std::vector<TreeObject> objects, std::uint32_t blocks, const Vec3d& origin) {
+  std::stable_sort(objects.begin(), objects.end(),
+                   [](const auto& a, const auto& b) { return a.instance.block < b.instance.block; });
+  TreeLayer layer;
+  std::vector<BoxD> boxes;
+  std::vector<std::uint32_t> block_of;
+  for (const TreeObject& object : objects) {
+    layer.instances.push_back(object.instance);
+    boxes.push_back(object.box);
+    block_of.push_back(object.instance.block);
+  }
+  layer.table = build_object_table(origin, boxes, first_of_blocks(block_of, blocks));
+  return layer;
+}
+
+}  // namespace manzana

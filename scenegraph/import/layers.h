@@ -1,0 +1,45 @@
+#pragma once
+/// From loose objects to the columns of a scene.
+#include <span>
+#include <vector>
+
+#include "scenegraph/import/meshes.h"
+#include "scenegraph/scene.h"
+
+namespace manzana {
+
+/// An object on its way into a MeshLayer: mesh in its block's frame, box in L; an empty mesh has an empty box.
+struct MeshObject {
+  CityMesh mesh;
+  culling::BoxD box;
+  std::uint32_t block = 0;
+};
+struct TreeObject {
+  TreeInstance instance;
+  culling::BoxD box;
+};
+
+/// Of the vertices as they are stored: floats in the block's frame, turned into L in double.
+culling::BoxD bounds(const CityMesh& mesh, const BlockFrame& frame);
+culling::BoxD bounds(const TreeInstance& tree, const BlockFrame& frame);
+
+/// A piece of ground from plan into its block's frame: every vertex on the ellipsoid, then up by its height.
+CityMesh lay(SurfacePiece piece, const Site& site);
+
+/// What is known of a block before the tree is built.
+class BlockContent {
+ public:
+  void add(const culling::BoxD& box);
+  /// Encloses all boxes added; the point `ground` when there was none.
+  culling::BlockVolume volume(const Vec2d& center, const Vec3d& ground) const;
+
+ private:
+  culling::BoxD box_;
+  std::vector<culling::SphereD> balls_;
+};
+
+/// Sorts by block, drops objects without triangles, joins the meshes. Keeps the order within a block.
+MeshLayer make_layer(std::vector<MeshObject> objects, std::uint32_t blocks, const Vec3d& origin);
+TreeLayer make_layer(std::vector<TreeObject> objects, std::uint32_t blocks, const Vec3d& origin);
+
+}  // namespace manzana
