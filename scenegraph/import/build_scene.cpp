@@ -22,7 +22,9 @@ using culling::BoxD;
 class Builder {
  public:
   Builder(CityFeatures features, const ImportOptions& options, const Progress& progress)
-      : f_(std::move(features)), options_(options), progress_(progress), scene_{f_.frame} {}
+      : f_(std::move(features)), options_(options), progress_(progress) {
+    scene_.frame = f_.frame;
+  }
 
   Imported run() {
     const auto start = std::chrono::steady_clock::now();
