@@ -5,14 +5,15 @@
 /// follow one speed profile in closed form, each at a phase of its own: where a car is, is a function of time alone;
 /// nothing is added up, nothing drifts, and any time can be asked for.
 ///   phase(car, t) = offset(car) + ticks(t) * step(circuit)      in 64-bit integers: 2^64 is one lap, and wraps by
-///   itself
+///   itself; the step has 32 more bits behind the point, so that circuits keep in step with each other for ever
 /// Attachment is lazy and exact without a list of pending changes: the cars of a half-street at time t are those whose
 /// phase lies in its interval, that is one run of the circuit's cars in order of their offsets, found by bisection. So
 /// an unseen car costs nothing at all, and none is ever lost.
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "culling/vec.h"
+#include "culling/volumes.h"
 
 namespace manzana {
 
@@ -33,22 +34,27 @@ struct HalfStreet {
   std::uint32_t first_point = 0, last_point = 0;  ///< run of Traffic::points, at least two: the line that cars follow
   std::uint32_t first_piece = 0, last_piece = 0;  ///< run of Traffic::pieces
   std::uint64_t phase_begin = 0;                  ///< within the circuit: [phase_begin, next one's phase_begin)
-  std::uint64_t phase_length = 0;
+  std::uint64_t phase_length = 0;                 ///< 0: the whole lap (the only half-street of its circuit)
   double duration_s = 0;
 };
 
-/// A point of a lane's centre line: the surface that wheels touch, metres in L, and the length of the line so far.
+/// A point of a lane's centre line: the surface that wheels touch, metres in L, the length of the line so far, and the
+/// unit tangent there, in L: a car's heading is blended between points, so that it turns without steps.
 struct LanePoint {
   Vec3d position{0, 0, 0};
   double s = 0;
+  Vec3d forward{0, 1, 0};
 };
 
 struct Circuit {
   std::uint32_t first_half = 0, last_half = 0;  ///< run of Traffic::halves in driving order
   std::uint32_t first_car = 0, last_car = 0;    ///< run of Traffic::offsets, ascending
-  std::uint64_t step = 0;                       ///< phase a tick
+  std::uint64_t step = 0;                       ///< phase a tick, whole part
+  std::uint32_t step_fraction = 0;              ///< and the rest, in 2^-32
   double period_s = 0;
 };
+/// How far a car of this circuit has come since tick 0, modulo a lap.
+std::uint64_t phase_run(const Circuit& circuit, std::uint64_t tick);
 
 struct Traffic {
   std::vector<HalfStreet> halves;
@@ -78,5 +84,13 @@ CarState car_at(const Traffic& traffic, std::uint32_t car, std::uint64_t tick);
 /// Appends the cars that are on the half-streets of `block` at that tick: exactly those whose car_at(...).half is of
 /// the block. O(half-streets + log cars + cars found). No allocation while `out` has room.
 void cars_of_block(const Traffic& traffic, std::uint32_t block, std::uint64_t tick, std::vector<CarState>& out);
+
+/// All that cars on this half-street can touch, in L: the box of its line, grown by kCarRadius.
+culling::BoxD half_street_bounds(const Traffic& traffic, std::uint32_t half);
+
+/// Rebuilds block_first and block_halves from HalfStreet::block, which must be under `blocks`.
+void index_blocks(Traffic& traffic, std::uint32_t blocks);
+/// Block b becomes new_of_old[b]; as many blocks as before.
+void reorder_blocks(Traffic& traffic, std::span<const std::uint32_t> new_of_old);
 
 }  // namespace manzana
