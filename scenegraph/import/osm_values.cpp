@@ -44,7 +44,8 @@ constexpr std::array<Unit, 20> kUnits{{{"m", 1},           {"metre", 1},       {
 /// Takes a unit off the front of `text`: everything up to the next digit. None is metres.
 std::optional<double> take_unit(std::string_view& text) {
   std::size_t length = 0;
-  while (length < text.size() && !is_number_char(text[length]) && !is_space(text[length])) ++length;
+  const auto ends = [](char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || is_space(c); };
+  while (length < text.size() && !ends(text[length])) ++length;
   std::string name(text.substr(0, length));
   for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
   if (name.ends_with('.')) name.pop_back();
