@@ -25,12 +25,16 @@ struct BlockOptions {
   bool left_hand_traffic = false;
   std::uint32_t fallback_weight = 64;  ///< objects in a fallback block at most
   double fallback_size = 400;          ///< metres, the longest side of a fallback block
-  double face_size = 1000;             ///< faces with a longer side are open country: cut into fallback blocks
+  double face_size = 1000;             ///< metres: faces with a longer side are open country, cut into fallback blocks
 };
 
-/// Faces by noding and polygonizing (GEOS) the edges that carry traffic, without dead ends. A centre in no face, or in
-/// a face larger than face_size, falls to an adaptive quadtree of cells. A half-street belongs to the block on its kerb
-/// side. Every centre gets exactly one block; centres on a border get the face found first. Deterministic.
+/// Faces by noding and polygonizing (GEOS) the edges that carry traffic, without dead ends; bridges bound faces as they
+/// lie in plan. A centre in no face falls to an adaptive quadtree of cells (fallback_cells.h), and so do those of a
+/// face that is larger than face_size, or has more than 8 fallback_weight objects: it is cut into cells of its own. A
+/// half-street belongs to the block on its kerb side, found 1 m beside the middle of its carriageway's edge; where that
+/// is in no face, it weighs in the quadtree as one more object. A direction in which nobody drives makes no block where
+/// there is one across the street. Every centre gets exactly one block; centres on a border get the first of its faces,
+/// in the order of their centroids. Deterministic. Asserts finite centres. O(n log n).
 BlockPlan find_blocks(const StreetGraph& graph, std::span<const Vec2d> centers, const BlockOptions& options = {});
 
 }  // namespace manzana

@@ -29,9 +29,10 @@ struct StreetGraph {
   std::vector<Junction> junctions;
 };
 
-/// Two ways meet where they share a node id. Bridges rise to kBridgeRise for each layer where they cross something
-/// lower, and fall along the connected streets by kRampGrade. Streets with fewer than two different points are listed
-/// as issues.
+/// Two ways meet where they share a node id; a node's place is that of its first occurrence. Neighbours on a way at one
+/// place are one node. Bridges rise to kBridgeRise for each layer where they cross something lower, and fall along the
+/// connected streets by kRampGrade (street_heights.h). Listed as issues and left without edges: streets with fewer than
+/// two different points, without an id for each point, or with a coordinate that is not finite. O(n log n).
 StreetGraph build_street_graph(std::vector<StreetFeature> streets, std::vector<Issue>& issues);
 inline constexpr double kBridgeRise = 5.5;  // metres: a lorry of 4 m, a deck of 1 m
 inline constexpr double kRampGrade = 0.08;
