@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "foliage/random.h"
+
 namespace manzana::foliage {
 namespace {
 
@@ -140,6 +142,20 @@ std::vector<std::size_t> representatives(const std::vector<Card>& cards, const s
   return best;
 }
 
+/// How wide each group is against the mean of all: its card must fill that, at the tip of a cone less than at its foot.
+std::vector<float> group_spreads(const std::vector<Card>& cards, const std::vector<Vec3>& centres) {
+  std::vector<float> spreads(centres.size(), 0), members(centres.size(), 0);
+  for (const Card& card : cards) {
+    spreads[card.group] += glm::length(card.middle - centres[card.group]);
+    members[card.group] += 1;
+  }
+  float sum = 0;
+  for (std::size_t i = 0; i < spreads.size(); ++i) sum += spreads[i] /= std::max(members[i], 1.0F);
+  const float mean = std::max(sum / static_cast<float>(spreads.size()), 1e-6F);
+  for (float& spread : spreads) spread = std::clamp(spread / mean, 0.5F, 1.5F);
+  return spreads;
+}
+
 /// Moves points so that all lie within the plant's cylinder, as one body where that is possible.
 void push_inside(std::span<MeshVertex> vertices, const PlantSize& size) {
   for (int round = 0; round < 3; ++round) {
@@ -154,25 +170,53 @@ void push_inside(std::span<MeshVertex> vertices, const PlantSize& size) {
   }
 }
 
+/// Some cards of a crown, and where each of them goes.
 class Thinning {
  public:
-  Thinning(const PlantMesh& fine, const PlantSize& size, std::size_t most)
-      : leaves_(fine.leaves), size_(size), cards_(find_cards(fine.leaves)) {
+  Thinning(const PlantMesh& fine, const PlantSize& size)
+      : leaves_(fine.leaves), size_(size), cards_(find_cards(fine.leaves)) {}
+
+  void choose_by_group(std::size_t most) {
     if (cards_.empty()) return;
-    centres_ = group(cards_, std::min(most, cards_.size()));
-    chosen_ = representatives(cards_, centres_);
+    const std::vector<Vec3> centres = group(cards_, std::min(most, cards_.size()));
+    const std::vector<float> spreads = group_spreads(cards_, centres);
+    for (const std::size_t i : representatives(cards_, centres))
+      chosen_.push_back({i, centres[cards_[i].group], spreads[cards_[i].group]});
   }
 
-  MeshPart scaled(float scale) const {
-    MeshPart out;
-    for (const std::size_t c : chosen_) add_card(out, cards_[c], scale);
-    return out;
+  void choose_by_hash(float share) {
+    for (std::size_t i = 0; i < cards_.size(); ++i)
+      if (Random(hash(i)).uniform() < share) chosen_.push_back({i, cards_[i].middle, 1});
+  }
+
+  /// At the scale that gives the coverage of `fine`.
+  MeshPart fitted(const PlantMesh& fine, const MeshPart& bark, const Silhouette& silhouette) const {
+    constexpr int kHalvings = 9;
+    const float wanted = mean_coverage(fine, silhouette);
+    float low = 0.5F, high = 16;
+    for (int i = 0; i < kHalvings; ++i) {
+      const float middle = std::sqrt(low * high);
+      (mean_coverage({bark, scaled(middle)}, silhouette) < wanted ? low : high) = middle;
+    }
+    return scaled(std::sqrt(low * high));
   }
 
  private:
-  void add_card(MeshPart& out, const Card& card, float scale) const {
+  struct Choice {
+    std::size_t card;
+    Vec3 place;
+    float scale;  // of this one, against the others
+  };
+
+  MeshPart scaled(float scale) const {
+    MeshPart out;
+    for (const Choice& choice : chosen_) add_card(out, choice, scale * choice.scale);
+    return out;
+  }
+
+  void add_card(MeshPart& out, const Choice& choice, float scale) const {
     const std::size_t first = out.vertices.size();
-    const Vec3& to = centres_[card.group];
+    const Card& card = cards_[choice.card];
     std::vector<std::pair<std::uint32_t, std::uint32_t>> known;  // fine index, coarse index
     for (const std::uint32_t t : card.triangles) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -180,7 +224,7 @@ class Thinning {
         auto found = std::find_if(known.begin(), known.end(), [&](const auto& pair) { return pair.first == i; });
         if (found == known.end()) {
           MeshVertex v = leaves_.vertices[i];
-          v.position = to + (v.position - card.middle) * scale;
+          v.position = choice.place + (v.position - card.middle) * scale;
           found = known.insert(known.end(), {i, static_cast<std::uint32_t>(out.vertices.size())});
           out.vertices.push_back(v);
         }
@@ -193,8 +237,7 @@ class Thinning {
   const MeshPart& leaves_;
   PlantSize size_;
   std::vector<Card> cards_;
-  std::vector<Vec3> centres_;
-  std::vector<std::size_t> chosen_;
+  std::vector<Choice> chosen_;
 };
 
 }  // namespace
@@ -207,16 +250,17 @@ float side_coverage(const PlantMesh& mesh, const Silhouette& silhouette, float a
 }
 
 MeshPart few_cards(const PlantMesh& fine, const MeshPart& bark, const Silhouette& silhouette, std::size_t most) {
-  constexpr int kHalvings = 9;
-  const Thinning thinning(fine, silhouette.size, most);
-  const float wanted = mean_coverage(fine, silhouette);
-  float low = 0.5F, high = 16;
-  for (int i = 0; i < kHalvings; ++i) {
-    const float middle = std::sqrt(low * high);
-    const PlantMesh mesh{bark, thinning.scaled(middle)};
-    (mean_coverage(mesh, silhouette) < wanted ? low : high) = middle;
-  }
-  return thinning.scaled(std::sqrt(low * high));
+  Thinning thinning(fine, silhouette.size);
+  thinning.choose_by_group(most);
+  return thinning.fitted(fine, bark, silhouette);
 }
+
+MeshPart thinned_cards(const PlantMesh& fine, const Silhouette& silhouette, float share) {
+  Thinning thinning(fine, silhouette.size);
+  thinning.choose_by_hash(share);
+  return thinning.fitted(fine, fine.bark, silhouette);
+}
+
+std::size_t count_cards(const MeshPart& leaves) { return find_cards(leaves).size(); }
 
 }  // namespace manzana::foliage

@@ -20,4 +20,10 @@ float side_coverage(const PlantMesh& mesh, const Silhouette& silhouette, float a
 /// coverage is that of `fine`. Deterministic.
 MeshPart few_cards(const PlantMesh& fine, const MeshPart& bark, const Silhouette& silhouette, std::size_t most);
 
+/// A share of the cards, drawn by hash, each in its place and scaled about its middle to the same end.
+MeshPart thinned_cards(const PlantMesh& fine, const Silhouette& silhouette, float share);
+
+/// How many cards there are.
+std::size_t count_cards(const MeshPart& leaves);
+
 }  // namespace manzana::foliage

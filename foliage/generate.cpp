@@ -99,7 +99,7 @@ std::array<MeshVertex, 4> leaf_card(const LeafSite& site, const Vec3& middle, co
   const Vec3 light = unit_or(out * 0.7F + Vec3(0, 0, 0.4F) + any_direction(random) * kScatter, {0, 0, 1});
   const Vec3 side = unit_or(glm::cross(light, site.axis), unit_or(glm::cross(Vec3(1, 0, 0), site.axis), {0, 1, 0}));
   const Vec3 normal = glm::cross(site.axis, side);
-  const float length = species.leaf_scale * (1 + random.spread(0.2F));
+  const float length = species.leaf_scale * site.scale * (1 + random.spread(0.2F));
   const Vec3 half = side * (0.5F * length * species.leaf_scale_x), up = site.axis * length;
   const float left = random.bits() & 1 ? 0.0F : 1.0F;  // half of the cards show the image mirrored
   return {MeshVertex{site.foot - half, normal, {left, 1}}, MeshVertex{site.foot + half, normal, {1 - left, 1}},

@@ -89,7 +89,7 @@ class Grower {
       add_branches(bud, stem, random, todo);
     else
       add_leaves(bud, stem, random);
-    if (bud.level + 1 < species_.levels && bud.level == 0) out_.leaves.push_back(terminal(stem));
+    if (bud.level + 1 < species_.levels && bud.level == 0) out_.leaves.push_back(terminal(stem, 0.6F));
     out_.stems.push_back(stem);
     vertices_ += stem_vertices(stem);
     if (vertices_ + 4 * out_.leaves.size() + 4 * todo.size() > kMaxPlantVertices)
@@ -97,7 +97,14 @@ class Grower {
                                   " vertices");
   }
 
-  static LeafSite terminal(const Stem& stem) { return {stem.points.back().position, stem.points.back().frame[2]}; }
+  static LeafSite terminal(const Stem& stem, float scale) {
+    return {stem.points.back().position, stem.points.back().frame[2], scale};
+  }
+
+  float card_scale(const Stem& stem) const {
+    constexpr float kLeast = 0.45F;
+    return std::clamp(stem.length / std::max(species_.leaf_scale, 1e-3F), kLeast, 1.0F);
+  }
 
   float radius_at(const Bud& bud, float z) const {
     const float r = tapered_radius(params(bud.level).taper, bud.length, bud.radius, z);
@@ -257,15 +264,16 @@ class Grower {
     const float ratio = bud.parent_length > 0 ? bud.offset / bud.parent_length : 0;
     const int count = static_cast<int>(std::lround(static_cast<float>(species_.leaves) * shape_ratio(4, 1 - ratio)));
     const float start = start_of(bud, params(bud.level)), phase = p.rotate >= 0 ? 360 * random.uniform() : 0;
+    const float scale = card_scale(stem);
     for (int i = 0; i + 1 < count; ++i) {
       const float along = kBare + (1 - kBare) * (static_cast<float>(i) + random.uniform()) / static_cast<float>(count);
       const float offset = along * bud.length;
       if (offset < start) continue;
       const StemPoint at = point_at(bud, stem, offset);
       const float down = p.down_angle + random.spread(std::abs(p.down_angle_v));
-      out_.leaves.push_back({at.position, child_frame(at.frame, p, around(p, i, phase), down, random)[2]});
+      out_.leaves.push_back({at.position, child_frame(at.frame, p, around(p, i, phase), down, random)[2], scale});
     }
-    if (count > 0) out_.leaves.push_back(terminal(stem));
+    if (count > 0) out_.leaves.push_back(terminal(stem, scale));
   }
 
   const SpeciesParams& species_;

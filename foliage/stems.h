@@ -20,9 +20,10 @@ struct Stem {
   std::vector<StemPoint> points;  ///< at least two
 };
 
-/// A leaf card's foot, and the direction it grows to.
+/// A leaf card's foot, the direction it grows to, and its size: cards of short stems are smaller.
 struct LeafSite {
   Vec3 foot, axis;
+  float scale = 1;
 };
 
 struct Skeleton {

@@ -1,12 +1,89 @@
 #include "foliage/import/gltf_plant.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
+#include "foliage/few_cards.h"
+#include "foliage/import/gltf_files.h"
+#include "foliage/import/plant_parts.h"
+#include "foliage/import/simplify.h"
+
 namespace manzana::foliage {
+namespace {
+
+constexpr std::size_t kFineTriangles = 20'000, kFineBark = 8'000;
+constexpr std::size_t kCoarseBark = 45, kCoarseLeaves = 80;
+constexpr float kFineRadiusPx = 60;
+
+/// Cards have few triangles each; a crown modelled as one surface has many.
+bool made_of_cards(const MeshPart& leaves) { return leaves.triangles() <= 8 * count_cards(leaves); }
+
+/// At most about kFineTriangles, leaves before bark.
+PlantMesh fine_mesh(PlantMesh mesh, const Silhouette& silhouette) {
+  if (mesh.bark.triangles() + mesh.leaves.triangles() <= kFineTriangles) return mesh;
+  const std::size_t left_for_bark = kFineTriangles - std::min(kFineTriangles, mesh.leaves.triangles());
+  mesh.bark = simplified(mesh.bark, std::max(kFineBark, left_for_bark));
+  const std::size_t target = kFineTriangles - std::min(kFineTriangles / 2, mesh.bark.triangles());
+  if (mesh.leaves.triangles() <= target) return mesh;
+  if (!made_of_cards(mesh.leaves))
+    mesh.leaves = simplified(mesh.leaves, target);
+  else
+    mesh.leaves =
+        thinned_cards(mesh, silhouette, static_cast<float>(target) / static_cast<float>(mesh.leaves.triangles()));
+  return mesh;
+}
+
+PlantMesh coarse_mesh(const PlantMesh& fine, const Silhouette& silhouette) {
+  PlantMesh coarse{simplified(largest_piece(fine.bark), kCoarseBark), {}};
+  if (!made_of_cards(fine.leaves)) {
+    coarse.leaves = simplified(fine.leaves, kCoarseLeaves);
+  } else if (!fine.leaves.indices.empty()) {
+    const std::size_t each = (fine.leaves.triangles() + count_cards(fine.leaves) - 1) / count_cards(fine.leaves);
+    coarse.leaves = few_cards(fine, coarse.bark, silhouette, kCoarseLeaves / each);
+  }
+  return coarse;
+}
+
+PlantModel plant_from(const tinygltf::Model& gltf, const std::string& name) {
+  PlantParts parts = plant_parts(gltf);
+  parts.mesh = {welded(parts.mesh.bark), welded(parts.mesh.leaves)};
+  const PlantSize size = measure(parts.mesh);
+  if (!(size.height > 0 && size.radius > 0) || !std::isfinite(size.height) || !std::isfinite(size.radius))
+    throw std::runtime_error("a plant without height or width");
+  const Silhouette silhouette{parts.leaf, size};
+  const CrownLight light(parts.mesh.leaves);
+  PlantMesh fine = fine_mesh(std::move(parts.mesh), silhouette);
+  PlantMesh coarse = coarse_mesh(fine, silhouette);
+  light.apply(fine);
+  light.apply(coarse);
+  PlantModel model{name, size.height, size.radius, parts.leaf, parts.bark, {}};
+  model.levels = {finish_level(fine, size, kFineRadiusPx), finish_level(coarse, size, 0)};
+  return model;
+}
+
+PlantModel import_bytes(std::span<const unsigned char> bytes, const std::string& name,
+                        const std::optional<std::filesystem::path>& folder) {
+  return plant_from(load_gltf(bytes, folder), name);
+}
+
+}  // namespace
+
 PlantModel import_plant(const std::filesystem::path& file) {
-  throw std::runtime_error(file.string() + ": not read yet");
+  try {
+    const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+    return import_bytes(read_file(file), file.stem().string(), folder);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(file.string() + ": " + error.what());
+  }
 }
-PlantModel import_plant(std::span<const unsigned char>, const std::string& name) {
-  throw std::runtime_error(name + ": not read yet");
+
+PlantModel import_plant(std::span<const unsigned char> bytes, const std::string& name) {
+  try {
+    return import_bytes(bytes, name, std::nullopt);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(name + ": " + error.what());
+  }
 }
+
 }  // namespace manzana::foliage
