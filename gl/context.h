@@ -1,6 +1,7 @@
 #pragma once
 /// A GL 4.5 core context without a window, through EGL (surfaceless). Made current on construction.
 #include <string>
+#include <string_view>
 
 namespace manzana::gl {
 
@@ -22,7 +23,8 @@ class HeadlessContext {
 using GetProcAddress = void (*(*)(const char*))();
 void load_functions(GetProcAddress get);
 
-std::string renderer_name();  ///< GL_RENDERER
-bool software_renderer();     ///< by that name: llvmpipe, softpipe, SwiftShader
+std::string renderer_name();                    ///< GL_RENDERER
+bool software_renderer();                       ///< by that name
+bool software_renderer(std::string_view name);  ///< llvmpipe, softpipe, SwiftShader
 
 }  // namespace manzana::gl

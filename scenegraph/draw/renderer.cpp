@@ -1,1 +1,179 @@
 #include "scenegraph/draw/renderer.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "gl/framebuffer.h"
+#include "scenegraph/draw/car_layer.h"
+#include "scenegraph/draw/city_layer.h"
+#include "scenegraph/draw/debug_volumes.h"
+#include "scenegraph/draw/sky.h"
+#include "scenegraph/draw/tree_layer.h"
+
+namespace manzana::draw {
+namespace {
+
+constexpr GLuint kFrameBinding = 0, kBlocksBinding = 1;
+
+void set_depth_and_colour(const culling::View& view) {
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GEQUAL);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+  glEnable(GL_FRAMEBUFFER_SRGB);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glCullFace(GL_BACK);
+  const bool mirror = glm::dot(glm::cross(view.forward, view.up), view.right) < 0;
+  glFrontFace(mirror ? GL_CW : GL_CCW);
+}
+
+void clear(const gl::Target& target, const FrameData& frame) {
+  const Vec4 horizon = frame.horizon;
+  const float zero = 0;
+  glClearNamedFramebufferfv(target.framebuffer.name(), GL_COLOR, 0, &horizon.x);
+  glClearNamedFramebufferfv(target.framebuffer.name(), GL_DEPTH, 0, &zero);
+}
+
+void add(FrameCounts& counts, const Drawn& drawn) {
+  counts.triangles += drawn.triangles;
+  counts.commands += drawn.commands;
+}
+
+}  // namespace
+
+struct Renderer::State {
+  State(const Scene& scene, std::span<const foliage::PlantModel> plants, const Quality& asked)
+      : quality(asked),
+        anchor(scene.blocks.empty() ? BlockFrame{} : scene.blocks.front()),
+        rows(scene.blocks.size()),
+        buildings(scene.buildings),
+        surfaces(scene.surfaces),
+        paints(make_paint_programs()),
+        trees(scene.trees.instances.size(), plants, quality),
+        cars(scene.traffic.cars()) {}
+
+  std::size_t bytes_of_frame(const VisibleSets& sets) const;
+  void upload_frame(const VisibleSets& sets, const FrameData& frame);
+  void draw_layers(const Scene& scene, const VisibleSets& sets, const culling::View& view, const Layers& layers,
+                   FrameCounts& counts);
+
+  Quality quality;
+  BlockFrame anchor;
+  std::vector<Rows> rows;  ///< of visible blocks
+  CityLayer buildings, surfaces;
+  PaintPrograms paints;
+  TreeLayerGpu trees;
+  CarLayerGpu cars;
+  Sky sky;
+  DebugVolumes volumes;
+  gl::StreamBuffer stream;
+  gl::Target target;
+};
+
+std::size_t Renderer::State::bytes_of_frame(const VisibleSets& sets) const {
+  using gl::StreamBuffer;
+  return StreamBuffer::padded(sizeof(FrameData)) + StreamBuffer::padded((rows.size() + 1) * sizeof(Rows)) +
+         stream_bytes(buildings, sets.buildings.size()) + stream_bytes(surfaces, sets.surfaces.size()) +
+         stream_bytes(trees.meshes, trees.selection.bins.total()) + stream_bytes(cars.meshes, sets.cars.size());
+}
+
+void Renderer::State::upload_frame(const VisibleSets& sets, const FrameData& frame) {
+  const auto uniforms = stream.take<FrameData>(1);
+  *uniforms.items = frame;
+  const auto blocks = stream.take<Rows>(rows.size() + 1);
+  for (const culling::LeafRun& run : sets.blocks) {
+    std::copy(rows.begin() + run.first, rows.begin() + run.last, blocks.items + run.first);
+  }
+  glBindBufferRange(GL_UNIFORM_BUFFER, kFrameBinding, stream.name(), uniforms.offset, sizeof(FrameData));
+  glBindBufferRange(GL_SHADER_STORAGE_BUFFER, kBlocksBinding, stream.name(), blocks.offset,
+                    static_cast<GLsizeiptr>((rows.size() + 1) * sizeof(Rows)));
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, stream.name());
+}
+
+// What stands high hides what lies flat, and the sky shades only what is left.
+void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, const culling::View& view,
+                                  const Layers& layers, FrameCounts& counts) {
+  glEnable(GL_CULL_FACE);
+  if (layers.buildings) {
+    counts.buildings = culling::count(sets.buildings);
+    add(counts, draw_city(buildings, paints, sets.buildings, stream));
+  }
+  if (layers.cars) {
+    counts.cars = sets.cars.size();
+    add(counts, draw_cars(cars, scene, sets.cars, view.eye, stream));
+  }
+  glDisable(GL_CULL_FACE);
+  if (layers.trees) {
+    counts.trees = culling::count(sets.trees);
+    add(counts, draw_trees(trees, scene.trees.instances, sets.trees, rows, stream, target.samples > 1));
+  }
+  if (layers.surfaces) {
+    counts.surfaces = culling::count(sets.surfaces);
+    add(counts, draw_city(surfaces, paints, sets.surfaces, stream));
+  }
+  if (layers.sky) draw_sky(sky);
+}
+
+Renderer::Renderer(const Scene& scene, std::span<const foliage::PlantModel> plants, const Quality& quality)
+    : state_(std::make_unique<State>(scene, plants, quality)) {
+  resize({1, 1});
+}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+void Renderer::resize(Size size) {
+  state_->target = gl::make_target(std::max(1, size.width), std::max(1, size.height), state_->quality.samples);
+}
+
+FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const culling::View& view,
+                           const DrawOptions& options) {
+  State& s = *state_;
+  assert(scene.blocks.size() == s.rows.size());
+  const FrameData frame = make_frame(scene.frame, view, options, s.anchor);
+  const double focal_px = s.target.height / (view.tan_top - view.tan_bottom);
+  for (const culling::LeafRun& run : sets.blocks) {
+    for (std::uint32_t b = run.first; b < run.last; ++b) s.rows[b] = relative_to(view.eye, scene.blocks[b]);
+  }
+  count_trees(scene.trees.instances, sets.trees, s.rows, focal_px * s.quality.tree_detail, s.trees.selection);
+  count_cars(sets.cars, view.eye, focal_px * s.quality.car_detail, s.cars);
+
+  s.stream.begin(s.bytes_of_frame(sets));
+  gl::bind(s.target);
+  set_depth_and_colour(view);
+  clear(s.target, frame);
+  s.upload_frame(sets, frame);
+  FrameCounts counts;
+  s.draw_layers(scene, sets, view, options.layers, counts);
+  if (options.frozen != nullptr) draw_lines(s.volumes, volume_lines(scene.tree, *options.frozen, view.eye));
+  gl::resolve(s.target);
+  s.stream.end();
+  return counts;
+}
+
+void Renderer::present(unsigned framebuffer) {
+  const gl::Target& target = state_->target;
+  glDisable(GL_FRAMEBUFFER_SRGB);  // the bytes as they are
+  glBlitNamedFramebuffer(target.picture().name(), framebuffer, 0, 0, target.width, target.height, 0, 0, target.width,
+                         target.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+std::vector<unsigned char> Renderer::read_pixels() {
+  const gl::Target& target = state_->target;
+  const std::size_t row = 3 * static_cast<std::size_t>(target.width);
+  std::vector<unsigned char> pixels(row * static_cast<std::size_t>(target.height));
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, target.picture().name());
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  glReadPixels(0, 0, target.width, target.height, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+  for (auto top = pixels.begin(), bottom = pixels.end(); top + static_cast<std::ptrdiff_t>(row) < bottom;) {
+    bottom -= static_cast<std::ptrdiff_t>(row);
+    std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(row), bottom);
+    top += static_cast<std::ptrdiff_t>(row);
+  }
+  return pixels;
+}
+
+}  // namespace manzana::draw

@@ -1,0 +1,62 @@
+#include "scenegraph/draw/camera.h"
+
+#include <cmath>
+
+namespace manzana::draw {
+namespace {
+
+using Vec4d = glm::dvec4;
+
+Vec4 narrow(const Vec3d& v, double w = 0) { return {Vec3(v), static_cast<float>(w)}; }
+
+// Noise repeats every 1024 lattice cells of 64 m: within that, float places are good to 4 mm.
+constexpr double kNoisePeriod = 65536;
+
+double wrap(double x) { return x - kNoisePeriod * std::floor(x / kNoisePeriod); }
+
+}  // namespace
+
+Rows relative_to(const Vec3d& eye, const BlockFrame& block) {
+  const Vec3d origin = block.origin - eye;
+  Rows rows;
+  for (int i = 0; i < 3; ++i) {
+    rows[static_cast<std::size_t>(i)] = Vec4(Vec4d(block.axes[0][i], block.axes[1][i], block.axes[2][i], origin[i]));
+  }
+  return rows;
+}
+
+Mat4 view_projection(const culling::View& view) {
+  const double width = view.tan_right - view.tan_left, height = view.tan_top - view.tan_bottom;
+  const double shift_x = (view.tan_right + view.tan_left) / width, shift_y = (view.tan_top + view.tan_bottom) / height;
+  const Vec3d x = view.right * (2 / width) - view.forward * shift_x;
+  const Vec3d y = view.up * (2 / height) - view.forward * shift_y;
+  const glm::dmat4 rows(Vec4d(x, 0), Vec4d(y, 0), Vec4d(0, 0, 0, view.near_m), Vec4d(view.forward, 0));
+  return Mat4(glm::transpose(rows));
+}
+
+FrameData make_frame(const LocalFrame& frame, const culling::View& view, const DrawOptions& options,
+                     const BlockFrame& anchor) {
+  const Vec2d plan(view.eye);
+  const Vec3d up = frame.up_at(plan);
+  const Vec3d ground(plan, frame.ground_z(plan));
+  const double middle_x = (view.tan_right + view.tan_left) / 2, middle_y = (view.tan_top + view.tan_bottom) / 2;
+  FrameData data{};
+  data.view_projection = view_projection(view);
+  data.ray_forward = narrow(view.forward + view.right * middle_x + view.up * middle_y);
+  data.ray_right = narrow(view.right * ((view.tan_right - view.tan_left) / 2));
+  data.ray_up = narrow(view.up * ((view.tan_top - view.tan_bottom) / 2));
+  data.up = narrow(up, glm::dot(view.eye - ground, up));
+  data.sun = narrow(glm::normalize(options.sun));
+  data.sun_light = {1.75F, 1.62F, 1.38F, 0};
+  data.sky_light = {0.50F, 0.60F, 0.76F, 0};
+  data.ground_light = {0.24F, 0.23F, 0.20F, 0};
+  data.horizon = {0.56F, 0.68F, 0.82F, 0};
+  data.zenith = {0.09F, 0.23F, 0.58F, 0};
+  data.fog.x = options.layers.fog ? static_cast<float>(1 / options.fog_distance_m) : 0.0F;
+  const Vec3d place = anchor.to_block(view.eye);
+  data.ground_x = narrow(anchor.axes[0], wrap(place.x));
+  data.ground_y = narrow(anchor.axes[1], wrap(place.y));
+  return data;
+}
+
+}  // namespace manzana::draw

@@ -1,0 +1,27 @@
+#pragma once
+/// The tree's volumes as lines: what a frozen frustum sees, looked at from elsewhere. Inner nodes: three circles each,
+/// coloured by depth; leaves that are not outside: boxes; and the frozen pyramid. Only for looking: allocates.
+#include <vector>
+
+#include "culling/bqr_tree.h"
+#include "gl/buffer.h"
+#include "gl/program.h"
+
+namespace manzana::draw {
+
+struct LineVertex {
+  Vec3 position;  ///< relative to the eye
+  Vec3 colour;    ///< as it is shown, linear
+};
+
+/// Pairs of vertices, a line each.
+std::vector<LineVertex> volume_lines(const culling::BqrTree& tree, const culling::View& frozen, const Vec3d& eye);
+
+struct DebugVolumes {
+  DebugVolumes();
+  gl::VertexArray array;
+  gl::Program program;
+};
+void draw_lines(const DebugVolumes& volumes, const std::vector<LineVertex>& lines);
+
+}  // namespace manzana::draw

@@ -1,0 +1,97 @@
+#include "scenegraph/draw/leaf_texture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace manzana::draw {
+namespace {
+
+constexpr int kPasses = 128;  // alpha of one half
+
+double linear(std::uint8_t srgb) {
+  const double s = srgb / 255.0;
+  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+
+std::uint8_t encoded(double light) {
+  const double s = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::clamp(std::lround(s * 255), 0L, 255L));
+}
+
+std::size_t at(const foliage::Image& image, int x, int y) {
+  return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size) + static_cast<std::size_t>(x));
+}
+
+foliage::Image make_image(int size) {
+  foliage::Image image;
+  image.size = size;
+  image.rgba.assign(4 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 255);
+  return image;
+}
+
+void average(const foliage::Image& image, int x, int y, std::uint8_t* texel) {
+  for (std::size_t c = 0; c < 4; ++c) {
+    double sum = 0;
+    for (int k = 0; k < 4; ++k) {
+      const std::uint8_t value = image.rgba[at(image, 2 * x + k % 2, 2 * y + k / 2) + c];
+      sum += c < 3 ? linear(value) : value / 255.0;
+    }
+    texel[c] = c < 3 ? encoded(sum / 4) : static_cast<std::uint8_t>(std::lround(sum / 4 * 255));
+  }
+}
+
+foliage::Image halved(const foliage::Image& image) {
+  foliage::Image half = make_image(image.size / 2);
+  for (int y = 0; y < half.size; ++y) {
+    for (int x = 0; x < half.size; ++x) average(image, x, y, &half.rgba[at(half, x, y)]);
+  }
+  return half;
+}
+
+// The texel that must just pass so that `coverage` of all do: alpha is scaled to bring it to one half.
+void keep_coverage(foliage::Image& image, double coverage) {
+  std::vector<std::uint8_t> alphas;
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) alphas.push_back(image.rgba[i]);
+  std::sort(alphas.rbegin(), alphas.rend());
+  const auto passing = static_cast<std::size_t>(std::lround(coverage * static_cast<double>(alphas.size())));
+  if (passing == 0 || alphas[passing - 1] == 0) return;
+  const double scale = kPasses / static_cast<double>(alphas[passing - 1]);
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
+    image.rgba[i] = static_cast<std::uint8_t>(std::min(255L, std::lround(image.rgba[i] * scale)));
+  }
+}
+
+}  // namespace
+
+double alpha_coverage(const foliage::Image& image) {
+  if (image.rgba.empty()) return 0;
+  std::size_t passing = 0;
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) passing += image.rgba[i] >= kPasses ? 1 : 0;
+  return 4 * static_cast<double>(passing) / static_cast<double>(image.rgba.size());
+}
+
+std::vector<foliage::Image> coverage_mipmaps(const foliage::Image& image) {
+  std::vector<foliage::Image> levels{image.size > 0 ? image : make_image(1)};
+  const double coverage = alpha_coverage(levels.front());
+  foliage::Image plain = levels.front();
+  while (plain.size > 1) {
+    plain = halved(plain);
+    levels.push_back(plain);
+    keep_coverage(levels.back(), coverage);
+  }
+  return levels;
+}
+
+foliage::Image resized(const foliage::Image& image, int size) {
+  if (image.size == size) return image;
+  foliage::Image result = make_image(size);
+  for (int y = 0; image.size > 0 && y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      const std::size_t from = at(image, x * image.size / size, y * image.size / size);
+      std::copy_n(&image.rgba[from], 4, &result.rgba[at(result, x, y)]);
+    }
+  }
+  return result;
+}
+
+}  // namespace manzana::draw

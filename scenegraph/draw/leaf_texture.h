@@ -1,0 +1,20 @@
+#pragma once
+/// Plant images as mip levels whose leaves stay as dense as they were. Plain averaging of alpha makes a far crown thin
+/// out under the alpha test; so each level's alpha is scaled until as many texels pass as in the finest.
+/// [Castano 2010, "Computing Alpha Mipmaps"]
+#include <vector>
+
+#include "foliage/plant.h"
+
+namespace manzana::draw {
+
+/// Share of texels whose alpha passes the test at one half.
+double alpha_coverage(const foliage::Image& image);
+
+/// image, half of it, ... 1 x 1. Colours are averaged in linear light. An empty image gives one white texel.
+std::vector<foliage::Image> coverage_mipmaps(const foliage::Image& image);
+
+/// Nearest texels, to another size; what is of that size already is only copied. Empty: white.
+foliage::Image resized(const foliage::Image& image, int size);
+
+}  // namespace manzana::draw

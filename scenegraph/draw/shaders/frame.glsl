@@ -1,0 +1,1 @@
+layout(std140, binding = 0) uniform FrameBlock { FrameData frame; };

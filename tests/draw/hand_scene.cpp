@@ -1,0 +1,190 @@
+#include "tests/draw/hand_scene.h"
+
+#include <array>
+
+namespace manzana {
+namespace {
+
+culling::BoxD box_of(const HandMesh& mesh, const BlockFrame& block) {
+  culling::BoxD box;
+  for (const CityVertex& v : mesh.vertices) box = merge(box, block.to_local(Vec3d(v.position)));
+  return box;
+}
+
+culling::BoxD box_of(const TreeInstance& tree, const BlockFrame& block) {
+  const double r = static_cast<double>(tree.crown_radius_m), h = static_cast<double>(tree.height_m);
+  culling::BoxD box;
+  for (const double z : {0.0, h}) {
+    for (const double x : {-r, r}) {
+      for (const double y : {-r, r}) box = merge(box, block.to_local(Vec3d(tree.position) + Vec3d(x, y, z)));
+    }
+  }
+  return box;
+}
+
+void append(MeshLayer& layer, const HandMesh& mesh, std::uint32_t block) {
+  const auto base = static_cast<std::uint32_t>(layer.mesh.vertices.size());
+  for (CityVertex v : mesh.vertices) {
+    v.block = block;
+    layer.mesh.vertices.push_back(v);
+  }
+  for (const std::uint32_t i : mesh.indices) layer.mesh.indices.push_back(base + i);
+  layer.index_first.push_back(static_cast<std::uint32_t>(layer.mesh.indices.size()));
+}
+
+MeshLayer make_layer(const std::vector<HandBlock>& blocks, const Scene& scene, std::vector<HandMesh> HandBlock::*part) {
+  MeshLayer layer;
+  layer.index_first.push_back(0);
+  std::vector<culling::BoxD> boxes;
+  std::vector<std::uint32_t> first{0};
+  for (std::uint32_t b = 0; b < scene.blocks.size(); ++b) {
+    for (const HandMesh& mesh : blocks[scene.tree.order[b]].*part) {
+      append(layer, mesh, b);
+      boxes.push_back(box_of(mesh, scene.blocks[b]));
+    }
+    first.push_back(static_cast<std::uint32_t>(boxes.size()));
+  }
+  layer.table = culling::build_object_table(scene.tree.origin, boxes, first);
+  return layer;
+}
+
+TreeLayer make_trees(const std::vector<HandBlock>& blocks, const Scene& scene) {
+  TreeLayer layer;
+  std::vector<culling::BoxD> boxes;
+  std::vector<std::uint32_t> first{0};
+  for (std::uint32_t b = 0; b < scene.blocks.size(); ++b) {
+    for (TreeInstance tree : blocks[scene.tree.order[b]].trees) {
+      tree.block = b;
+      layer.instances.push_back(tree);
+      boxes.push_back(box_of(tree, scene.blocks[b]));
+    }
+    first.push_back(static_cast<std::uint32_t>(boxes.size()));
+  }
+  layer.table = culling::build_object_table(scene.tree.origin, boxes, first);
+  return layer;
+}
+
+culling::BlockVolume volume_of(const HandBlock& block, const BlockFrame& frame) {
+  culling::BlockVolume volume;
+  volume.center = block.plan;
+  volume.box = merge(volume.box, frame.origin);
+  const auto add = [&](const culling::BoxD& box) {
+    if (!box.empty()) volume.box = merge(volume.box, box);
+  };
+  for (const HandMesh& mesh : block.buildings) add(box_of(mesh, frame));
+  for (const HandMesh& mesh : block.surfaces) add(box_of(mesh, frame));
+  for (const TreeInstance& tree : block.trees) add(box_of(tree, frame));
+  volume.sphere = enclosing_sphere(volume.box);
+  return volume;
+}
+
+foliage::PlantVertex plant_vertex(const Vec3& p, const Vec2& uv, std::uint8_t leaf) {
+  const auto packed = [](float x) { return static_cast<std::uint16_t>(x / foliage::kUvRange * 65535.0F + 0.5F); };
+  const Vec3 n = glm::normalize(Vec3(p.x, p.y, 0.5F * (p.z - 0.5F)) + Vec3(0, 0, 0.01F));
+  return {p, pack_normal(n), packed(uv.x), packed(uv.y), 255, leaf, 0};
+}
+
+// A double pyramid of `sides`, in unit form.
+void add_cone(foliage::PlantLevel& level, int sides, float low, float high, float radius, std::uint8_t leaf) {
+  const auto base = static_cast<std::uint32_t>(level.vertices.size());
+  const float middle = 0.5F * (low + high);
+  level.vertices.push_back(plant_vertex({0, 0, low}, {0.5F, 0.5F}, leaf));
+  level.vertices.push_back(plant_vertex({0, 0, high}, {0.5F, 0.5F}, leaf));
+  for (int i = 0; i < sides; ++i) {
+    const float a = 6.2831853F * static_cast<float>(i) / static_cast<float>(sides);
+    level.vertices.push_back(plant_vertex({radius * glm::cos(a), radius * glm::sin(a), middle}, {0.5F, 0.5F}, leaf));
+  }
+  for (int i = 0; i < sides; ++i) {
+    const std::uint32_t a = base + 2 + static_cast<std::uint32_t>(i),
+                        b = base + 2 + static_cast<std::uint32_t>((i + 1) % sides);
+    for (const std::uint32_t k : {base, b, a, base + 1, a, b}) level.indices.push_back(k);
+  }
+}
+
+foliage::Image plain_image(std::uint8_t r, std::uint8_t g, std::uint8_t b) {
+  foliage::Image image;
+  image.size = 256;
+  for (int i = 0; i < 256 * 256; ++i) image.rgba.insert(image.rgba.end(), {r, g, b, 255});
+  return image;
+}
+
+}  // namespace
+
+void add_quad(HandMesh& mesh, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, std::uint32_t rgb,
+              Material material, const Vec2& uv_size) {
+  const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
+  const std::uint32_t normal = pack_normal(glm::normalize(glm::cross(b - a, c - a)));
+  const std::uint32_t colour = pack_colour(rgb, material);
+  mesh.vertices.push_back({a, normal, colour, {0, 0}, 0});
+  mesh.vertices.push_back({b, normal, colour, {uv_size.x, 0}, 0});
+  mesh.vertices.push_back({c, normal, colour, uv_size, 0});
+  mesh.vertices.push_back({d, normal, colour, {0, uv_size.y}, 0});
+  for (const std::uint32_t k : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.indices.push_back(base + k);
+}
+
+HandMesh make_box(const Vec3& foot, const Vec3& size, std::uint32_t rgb, Material material) {
+  const Vec3 low = foot - Vec3(size.x / 2, size.y / 2, 0), high = low + size;
+  const std::array<Vec2, 4> corner{Vec2(low.x, low.y), Vec2(high.x, low.y), Vec2(high.x, high.y), Vec2(low.x, high.y)};
+  HandMesh mesh;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec2 a = corner[i], b = corner[(i + 1) % 4];
+    const Vec2 bays(glm::round(glm::distance(a, b) / 3), glm::round(size.z / 3));
+    add_quad(mesh, {a.x, a.y, low.z}, {b.x, b.y, low.z}, {b.x, b.y, high.z}, {a.x, a.y, high.z}, rgb, material, bays);
+  }
+  const Material top = material == Material::wall ? Material::roof : material;
+  add_quad(mesh, {low.x, low.y, high.z}, {high.x, low.y, high.z}, {high.x, high.y, high.z}, {low.x, high.y, high.z},
+           rgb, top, {size.x, size.y});
+  return mesh;
+}
+
+HandMesh make_level(const Vec3& middle, const Vec2& size, std::uint32_t rgb, Material material) {
+  const Vec3 x(size.x / 2, 0, 0), y(0, size.y / 2, 0);
+  HandMesh mesh;
+  add_quad(mesh, middle - x - y, middle + x - y, middle + x + y, middle - x + y, rgb, material, size);
+  return mesh;
+}
+
+Scene make_scene(const std::vector<HandBlock>& blocks, const GeoPoint& anchor) {
+  Scene scene;
+  scene.frame = LocalFrame(anchor);
+  std::vector<culling::BlockVolume> volumes;
+  for (const HandBlock& block : blocks) volumes.push_back(volume_of(block, block_frame(scene.frame, block.plan)));
+  scene.tree = culling::build_bqr_tree(volumes);
+  for (const std::uint32_t i : scene.tree.order) scene.blocks.push_back(block_frame(scene.frame, blocks[i].plan));
+  scene.buildings = make_layer(blocks, scene, &HandBlock::buildings);
+  scene.surfaces = make_layer(blocks, scene, &HandBlock::surfaces);
+  scene.trees = make_trees(blocks, scene);
+  scene.traffic.halves.emplace_back();
+  scene.traffic.block_first.assign(blocks.size() + 1, 0);
+  for (const culling::BlockVolume& volume : volumes) {
+    scene.bounds = merge(merge(scene.bounds, volume.box.min), volume.box.max);
+  }
+  return scene;
+}
+
+std::vector<foliage::PlantModel> simple_plants() {
+  foliage::PlantModel model;
+  model.name = "cone";
+  for (const int sides : {12, 4}) {
+    foliage::PlantLevel& level = model.levels.emplace_back();
+    add_cone(level, sides, 0.0F, 0.5F, 0.05F, 0);
+    level.bark_indices = static_cast<std::uint32_t>(level.indices.size());
+    add_cone(level, sides, 0.2F, 1.0F, 1.0F, 1);
+  }
+  model.levels.front().min_radius_px = 20;
+  model.leaf = plain_image(60, 130, 40);
+  model.bark = plain_image(110, 80, 50);
+  return std::vector<foliage::PlantModel>(static_cast<std::size_t>(PlantKind::count), model);
+}
+
+VisibleSets visible(const Scene& scene, const culling::View& view, Structure structure) {
+  VisibleSets sets(scene);
+  find_visible(scene, view, structure, sets);
+  return sets;
+}
+
+culling::View look_in(const BlockFrame& block, const Vec3d& eye, const Vec3d& forward, double fovy_deg, double aspect) {
+  return culling::look(block.to_local(eye), block.axes * forward, block.axes[2], glm::radians(fovy_deg), aspect);
+}
+
+}  // namespace manzana
