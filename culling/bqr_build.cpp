@@ -4,6 +4,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "culling/bqr_tree.h"
 
@@ -11,6 +12,7 @@ namespace manzana::culling {
 namespace {
 
 constexpr std::uint32_t kDeepest = 31;  // 100 km / 2^31 = 47 um; the key needs 63 bits
+constexpr double kFarthest = 1e37;      // metres; sums of a few such numbers are still finite in float
 constexpr std::uint64_t kSharedQuadrant = std::uint64_t{1} << 63;
 
 /// Half-open square of the plane, and the blocks [first, last) of the order whose centres it holds.
@@ -36,11 +38,16 @@ Quadrant child_of(const Quadrant& q, const Vec2d& mid, unsigned which) {
   return child;
 }
 
-bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+std::array<double, 10> extent(const BlockVolume& b) {
+  const auto& [low, high] = b.box;
+  const Vec3d& c = b.sphere.center;
+  return {low.x, low.y, low.z, high.x, high.y, high.z, c.x, c.y, c.z, b.sphere.radius};
+}
 
-std::array<double, 12> coordinates(const BlockVolume& b) {
-  return {b.center.x,  b.center.y,  b.box.min.x,       b.box.min.y,       b.box.min.z,       b.box.max.x,
-          b.box.max.y, b.box.max.z, b.sphere.center.x, b.sphere.center.y, b.sphere.center.z, b.sphere.radius};
+bool good(const BlockVolume& b) {
+  const auto all = extent(b);
+  const bool near = std::all_of(all.begin(), all.end(), [](double v) { return std::abs(v) <= kFarthest; });
+  return near && std::isfinite(b.center.x) && std::isfinite(b.center.y) && !b.box.empty() && !b.sphere.empty();
 }
 
 /// Lives for one call of build_bqr_tree.
@@ -65,15 +72,10 @@ class Builder {
   const BlockVolume& block(std::uint32_t leaf) const { return blocks_[tree_.order[leaf]]; }
 
   void refuse_bad_blocks() const {
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-      const auto all = coordinates(blocks_[i]);
-      const bool good = std::all_of(all.begin(), all.end(), [](double v) { return std::isfinite(v); });
-      if (!good || blocks_[i].box.empty() || blocks_[i].sphere.empty()) refuse(i);
-    }
-  }
-
-  [[noreturn]] static void refuse(std::size_t index) {
-    throw std::invalid_argument("block " + std::to_string(index) + ": centre or volume is empty or not finite");
+    for (std::size_t i = 0; i < blocks_.size(); ++i)
+      if (!good(blocks_[i]))
+        throw std::invalid_argument("block " + std::to_string(i) +
+                                    ": centre or volume is empty, not finite or too far");
   }
 
   void choose_origin() {
@@ -150,8 +152,7 @@ class Builder {
   /// A quadrant that cannot be split: its blocks become its leaves, in an order of their own.
   void share(const Quadrant& q) {
     const auto begin = tree_.order.begin();
-    std::sort(begin + q.first, begin + q.last,
-              [&](std::uint32_t a, std::uint32_t b) { return coordinates(blocks_[a]) < coordinates(blocks_[b]); });
+    std::sort(begin + q.first, begin + q.last, [&](std::uint32_t a, std::uint32_t b) { return before(a, b); });
     add(q);
     for (std::uint32_t leaf = q.first; leaf < q.last; ++leaf) {
       Quadrant one = q;
@@ -160,6 +161,13 @@ class Builder {
       one.key = kSharedQuadrant + leaf;
       add(one);
     }
+  }
+
+  bool before(std::uint32_t a, std::uint32_t b) const {
+    const auto key = [&](std::uint32_t i) {
+      return std::tuple(blocks_[i].center.x, blocks_[i].center.y, extent(blocks_[i]));
+    };
+    return key(a) < key(b);
   }
 
   void add(const Quadrant& q) { tree_.nodes.push_back({Sphere{}, q.first, q.last, 0, q.depth, q.key}); }
@@ -179,16 +187,15 @@ class Builder {
   /// would add their slack at every level [numerics 3].
   void bound() {
     std::vector<SphereD> leaves;
+    leaves.reserve(blocks_.size());
+    tree_.leaf_boxes.reserve(blocks_.size());
     for (const std::uint32_t i : tree_.order) {
       leaves.push_back(blocks_[i].sphere);
       tree_.leaf_boxes.push_back(narrow(blocks_[i].box, tree_.origin));
-      const Box& box = tree_.leaf_boxes.back();
-      if (!finite(box.min) || !finite(box.max)) refuse(i);
     }
     for (BqrNode& node : tree_.nodes) {
       const auto below = std::span(leaves).subspan(node.first, node.last - node.first);
       node.bounds = narrow(node.leaf() ? below.front() : enclosing_sphere(below), tree_.origin);
-      if (!finite(node.bounds.center) || !std::isfinite(node.bounds.radius)) refuse(tree_.order[node.first]);
     }
   }
 

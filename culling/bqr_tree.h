@@ -56,7 +56,7 @@ struct BqrTree {
 /// depend on the order of the input (blocks that share their last quadrant are ordered by their coordinates). `origin`
 /// is the centre of all content in whole metres. A quadrant is not split when all centres in it are equal, at depth 31,
 /// or where doubles end. Throws std::invalid_argument, with the index of the block, for a centre or volume that is
-/// empty or is not finite (in float for volumes).
+/// empty or not finite, or a volume that reaches beyond 1e37 m (the end of float).
 BqrTree build_bqr_tree(std::span<const BlockVolume> blocks);
 
 struct CullStats {

@@ -59,7 +59,8 @@ Sides sides(const Frustum& frustum, const Box& box) {
 }
 
 bool overlaps(const Sphere& sphere, const Box& box) {
-  if (sphere.empty() || (box.empty() && !is_nan(box))) return false;
+  if (sphere.empty()) return false;
+  if (box.empty()) return is_nan(box);
   // Squares of floats neither overflow nor vanish in double.
   const Vec3d c(sphere.center);
   const Vec3d gap = c - glm::clamp(c, Vec3d(box.min), Vec3d(box.max));
