@@ -1,0 +1,24 @@
+#pragma once
+/// From a plan of rides and slots to Traffic. Private to build_traffic.
+#include "scenegraph/import/traffic_signals.h"
+#include "scenegraph/local_frame.h"
+
+namespace manzana {
+
+struct TrafficPlan {
+  std::vector<Lane> lanes;
+  std::vector<Ride> rides;                                        ///< circuit by circuit, in driving order
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> circuits;  ///< runs of rides
+  std::vector<char> closed;                                       ///< a row a ride: 1 = no cars on its circuit
+  Slots slots;
+  std::uint32_t cars = 0;  ///< wanted
+};
+
+/// Lanes are laid on the ground; cars are spread over the slots by a hash of the seed. No index of blocks yet.
+Traffic write_traffic(const LocalFrame& frame, const TrafficPlan& plan,
+                      std::span<const std::uint32_t> half_street_blocks, std::uint64_t seed);
+
+/// Phase a tick for a lap of so many ticks: 2^64 / ticks, the whole part and 32 bits more, rounded down.
+void set_step(Circuit& circuit, std::uint64_t ticks_a_lap);
+
+}  // namespace manzana
