@@ -2,56 +2,83 @@
 
 #include <algorithm>
 #include <array>
-#include <osmium/io/any_compression.hpp>
 #include <osmium/io/pbf_input.hpp>
 #include <osmium/io/reader.hpp>
-#include <osmium/io/xml_input.hpp>
 #include <stdexcept>
 #include <unordered_map>
+
+#include "scenegraph/import/osm_xml.h"
 
 namespace manzana {
 namespace {
 
-constexpr std::size_t kListedNodes = 100;  // bad nodes that get an issue each; the rest are summed up
+constexpr std::size_t kListed = 100;  // objects with a bad id or place that get an issue each; the rest are summed up
 
 bool is_plant(const osmium::Node& node) {
   const char* natural = node.tags()["natural"];
   return natural != nullptr && (std::string_view(natural) == "tree" || std::string_view(natural) == "shrub");
 }
 
+std::string one_line(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
+  return text.substr(0, 200);
+}
+
+/// OpenStreetMap's own servers write an address there; empty says that the data are made up and need no credit.
+std::string credit_of(const std::string& attribution) {
+  return attribution.find("openstreetmap") == std::string::npos ? one_line(attribution) : kOsmCredit;
+}
+
 /// Lives for one file.
 class Loader {
  public:
   Loader(const osmium::io::File& file, const std::string& name, const Progress& progress)
-      : file_(file), name_(name), progress_(progress) {}
+      : file_(file), name_(name), progress_(progress) {
+    std::error_code unknown;
+    const auto size = std::filesystem::file_size(file.filename(), unknown);
+    size_ = unknown ? 0 : static_cast<double>(size);
+  }
 
   OsmFile run() {
     out_.attribution = kOsmCredit;
     read();
-    sum_up_bad_nodes();
     sort_nodes();
     index_objects();
+    sum_up();
     return std::move(out_);
   }
 
  private:
   void read() {
-    std::size_t offset = 0;
     try {
-      osmium::io::Reader reader(file_, osmium::osm_entity_bits::nwr, osmium::io::read_meta::no);
-      while (osmium::memory::Buffer buffer = reader.read()) {
-        offset = reader.offset();
-        tell(static_cast<double>(offset), static_cast<double>(reader.file_size()));
-        for (const osmium::OSMObject& object : buffer.select<osmium::OSMObject>()) take(object);
-      }
-      reader.close();
+      file_.format() == osmium::io::file_format::xml ? read_xml() : read_pbf();
     } catch (const std::exception& error) {
-      throw std::runtime_error(name_ + ": " + one_line(error.what()) + place(error, offset));
+      throw std::runtime_error(name_ + ": " + one_line(error.what()) + place());
     }
   }
 
-  void tell(double offset, double size) {
-    const double fraction = size > 0 ? std::min(offset / size, 1.0) : 0;
+  void read_xml() {
+    XmlSink sink;
+    sink.object = [&](const osmium::OSMObject& object) { take(object); };
+    sink.issue = [&](Issue issue) { note_bad(std::move(issue)); };
+    sink.attribution = [&](const std::string& credit) { out_.attribution = credit_of(credit); };
+    sink.bytes = [&](std::size_t offset) { tell(static_cast<double>(offset)); };
+    read_osm_xml(file_, sink);
+  }
+
+  void read_pbf() {
+    osmium::io::Reader reader(file_, osmium::osm_entity_bits::nwr, osmium::io::read_meta::no);
+    while (osmium::memory::Buffer buffer = reader.read()) {
+      bytes_ = reader.offset();
+      tell(static_cast<double>(bytes_));
+      for (const osmium::OSMObject& object : buffer.select<osmium::OSMObject>()) take(object);
+    }
+    reader.close();
+  }
+
+  void tell(double offset) {
+    const double fraction = size_ > 0 ? std::min(offset / size_, 1.0) : 0;
     if (!progress_ || fraction < told_ + 0.01) return;
     told_ = fraction;
     progress_("reading", fraction);
@@ -65,8 +92,7 @@ class Loader {
 
   void take(const osmium::Node& node) {
     if (!node.location().valid()) {
-      if (++bad_nodes_ <= kListedNodes) out_.issues.push_back({where_of(node), "its place is not on the Earth"});
-      return;
+      return note_bad({where_of(node), "its place is not on the Earth"});
     }
     out_.nodes.push_back({node.id(), node.location()});
     if (!node.tags().empty() && is_plant(node)) keep(node);
@@ -77,9 +103,14 @@ class Loader {
     out_.objects.commit();
   }
 
-  void sum_up_bad_nodes() {
-    if (bad_nodes_ <= kListedNodes) return;
-    out_.issues.push_back({"nodes", std::to_string(bad_nodes_ - kListedNodes) + " more are not on the Earth"});
+  void note_bad(Issue issue) {
+    if (++bad_ <= kListed) out_.issues.push_back(std::move(issue));
+  }
+
+  void sum_up() {
+    const std::size_t listed = std::min(bad_, kListed) + std::min(doubles_, kListed);
+    if (bad_ + doubles_ > listed)
+      out_.issues.push_back({"file", std::to_string(bad_ + doubles_ - listed) + " more of these"});
   }
 
   /// By id; of several with one id the last of the file stays.
@@ -99,7 +130,7 @@ class Loader {
   }
 
   void tell_double(const std::string& kind, std::int64_t id) {
-    if (++doubles_ > kListedNodes) return;
+    if (++doubles_ > kListed) return;
     out_.issues.push_back({kind + " " + std::to_string(id), "id is used more than once: the last one counts"});
   }
 
@@ -124,24 +155,15 @@ class Loader {
     }
   }
 
-  static std::string one_line(std::string text) {
-    std::ranges::replace_if(
-        text, [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
-    return text.substr(0, 200);
-  }
-
-  /// The XML reader's messages say line and column; for the others, how far the file was read.
-  std::string place(const std::exception& error, std::size_t offset) const {
-    if (dynamic_cast<const osmium::xml_error*>(&error) != nullptr || offset == 0) return "";
-    return " (within the " + std::to_string(offset) + " bytes read)";
-  }
+  /// Of a file in blobs: how much was read. The XML reader says line and column itself.
+  std::string place() const { return bytes_ == 0 ? "" : ", within the first " + std::to_string(bytes_) + " bytes"; }
 
   const osmium::io::File& file_;
   const std::string& name_;
   const Progress& progress_;
   OsmFile out_;
-  double told_ = -1;
-  std::size_t bad_nodes_ = 0, doubles_ = 0;
+  double size_ = 0, told_ = -1;
+  std::size_t bytes_ = 0, bad_ = 0, doubles_ = 0;
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// An OpenStreetMap file in memory, in any order that it came: the only place where libosmium's reader is used.
+/// An OpenStreetMap file in memory, whatever the order it came in.
 ///   OsmFile osm = load_osm(osmium::io::File("city.osm.pbf"), "city.osm.pbf", progress);
 ///   for (const osmium::Way* way : osm.ways) ...
 /// Memory: 16 bytes a node; ways, relations and trees as libosmium keeps them.
