@@ -52,8 +52,7 @@ TEST_CASE("a block moved across the antimeridian and to the pole is the same blo
   for (std::size_t i = 0; i < houses.size(); ++i) {
     CAPTURE(houses[i].where);
     REQUIRE(houses[i].footprint.outer.size() == old_houses[i].footprint.outer.size());
-    CHECK(largest_difference(side_lengths(houses[i].footprint.outer), side_lengths(old_houses[i].footprint.outer)) <
-          kStep);
+    check_alike(side_lengths(houses[i].footprint.outer), side_lengths(old_houses[i].footprint.outer));
     CHECK(houses[i].wall_rgb == old_houses[i].wall_rgb);
     CHECK(houses[i].levels == old_houses[i].levels);
   }
