@@ -47,7 +47,9 @@ class Builder {
   void storeys(const Vec2d& a, const Vec2d& b, const Paint& paint);
   void facet(const RoofFacet& facet);
   void floor(const std::vector<plan::Triangle>& triangles);
-  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) { mesh_.indices.insert(mesh_.indices.end(), {a, b, c}); }
+  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    mesh_.indices.insert(mesh_.indices.end(), {a, b, c});
+  }
 
   std::uint32_t corner(const Vec3d& p, const Paint& paint, const Vec2& uv) {
     const Vec3d normal = glm::normalize(laying_.normals * paint.normal);
@@ -143,9 +145,9 @@ void Builder::body(const Geos& geos, Polygon footprint) {
 }
 
 const char* fault(const BuildingFeature& b) {
-  const bool rings_finite = plan::finite(b.footprint.outer) &&
-                            std::all_of(b.footprint.holes.begin(), b.footprint.holes.end(),
-                                        [](const plan::Ring& hole) { return plan::finite(hole); });
+  const bool rings_finite =
+      plan::finite(b.footprint.outer) && std::all_of(b.footprint.holes.begin(), b.footprint.holes.end(),
+                                                     [](const plan::Ring& hole) { return plan::finite(hole); });
   if (!rings_finite || !std::isfinite(b.height) || !std::isfinite(b.min_height) || !std::isfinite(b.roof_height))
     return "a coordinate or height is not finite";
   if (b.footprint.outer.size() < 3) return "an outline of fewer than three points";

@@ -1,6 +1,6 @@
 #pragma once
-/// Rings and polygons in plan, metres: what walls, roofs and greens are cut from. Rings are open. All in double; callers
-/// subtract an origin near the shape first.
+/// Rings and polygons in plan, metres: what walls, roofs and greens are cut from. Rings are open. All in double;
+/// callers subtract an origin near the shape first.
 #include <array>
 #include <optional>
 #include <span>

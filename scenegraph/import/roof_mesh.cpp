@@ -36,8 +36,7 @@ std::vector<RoofPlane> rectangle_planes(const OrientedBox& box, double side_pitc
 std::vector<RoofPlane> wall_planes(const Ring& ring) {
   std::vector<RoofPlane> planes;
   for (std::size_t i = 0; i < ring.size(); ++i)
-    planes.push_back(
-        rising(ring[i], glm::normalize(plan::left_of(ring[(i + 1) % ring.size()] - ring[i])), 1));
+    planes.push_back(rising(ring[i], glm::normalize(plan::left_of(ring[(i + 1) % ring.size()] - ring[i])), 1));
   return planes;
 }
 
@@ -60,8 +59,8 @@ double ridge_height(const std::vector<RoofPlane>& planes) {
 constexpr std::size_t kMostHips = 8;  // outlines with more corners are round: their hips follow the rectangle
 
 std::vector<RoofPlane> hipped_planes(const Polygon& footprint, double height) {
-  const bool by_walls = footprint.holes.empty() && footprint.outer.size() <= kMostHips &&
-                        plan::strictly_convex(footprint.outer);
+  const bool by_walls =
+      footprint.holes.empty() && footprint.outer.size() <= kMostHips && plan::strictly_convex(footprint.outer);
   if (!by_walls) {
     const OrientedBox box = plan::smallest_rectangle(footprint.outer);
     const double pitch = height / std::max(box.half_width, 0.01);
@@ -178,8 +177,7 @@ Roof flat_roof(const std::vector<plan::Triangle>& triangles) {
 }
 
 bool fan_fits(const Polygon& footprint) {
-  return footprint.holes.empty() &&
-         plan::star_shaped_from(footprint.outer, plan::centroid(footprint.outer));
+  return footprint.holes.empty() && plan::star_shaped_from(footprint.outer, plan::centroid(footprint.outer));
 }
 
 }  // namespace
