@@ -129,11 +129,12 @@ void Builder::body(const Geos& geos, Polygon footprint) {
   plan::wind(footprint);
   const std::vector<plan::Triangle> triangles = plan::triangulate(geos, footprint);
   if (triangles.empty()) return;
+  const RoofShape shape = roof_that_fits(building_.roof, footprint);
   const double body = building_.height - building_.min_height;
   const double given = std::min(building_.roof_height, body);
-  const double height = given > 0 ? given : default_roof_height(building_.roof, footprint, body);
-  const Roof roof = make_roof(building_.roof, footprint, triangles, height);
-  eaves_ = building_.roof == RoofShape::flat ? building_.height : building_.height - height;
+  const double height = given > 0 ? given : default_roof_height(shape, footprint, body);
+  const Roof roof = make_roof(shape, footprint, triangles, height);
+  eaves_ = shape == RoofShape::flat ? building_.height : building_.height - height;
   const auto walls = [&](const plan::Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) wall(ring[i], ring[(i + 1) % ring.size()], roof);
   };

@@ -184,6 +184,10 @@ bool fan_fits(const Polygon& footprint) {
 
 Vec2d snapped(const Vec2d& p) { return glm::round(p * 65536.0) / 65536.0; }
 
+RoofShape roof_that_fits(RoofShape shape, const Polygon& footprint) {
+  return plan::smallest_rectangle(footprint.outer).half_width < 0.5 ? RoofShape::flat : shape;
+}
+
 Roof make_roof(RoofShape shape, const Polygon& footprint, const std::vector<plan::Triangle>& triangles,
                double roof_height) {
   if (shape == RoofShape::flat || !(roof_height > 0.01)) return flat_roof(triangles);

@@ -31,6 +31,9 @@ struct Roof {
   std::vector<RoofPlane> planes;  ///< the walls end at the least of these; none: at the eaves
 };
 
+/// Flat for footprints narrower than 1 m, whose slopes would be as steep as walls; else the shape itself.
+RoofShape roof_that_fits(RoofShape shape, const Polygon& footprint);
+
 /// `footprint` wound by plan::wind(), its corners on the plan's grid (snapped()); `triangles` its triangulation.
 Roof make_roof(RoofShape shape, const Polygon& footprint, const std::vector<plan::Triangle>& triangles,
                double roof_height);

@@ -240,6 +240,7 @@ TEST_CASE("random nonsense never breaks the walls") {
       p.outer.emplace_back(random.between(0, size), random.between(0, size * (i % 5 == 0 ? 1e-3 : 1)));
     const BuildingFeature b = house(p, kShapes[random.whole(0, 5)], random.between(0, 30), random.between(0, 12));
     const Built built = build(b);
+    INFO("case " << i << ", roof " << int(b.roof) << ", size " << size);
     CHECK(fault(built.mesh) == "");
     CHECK((!built.mesh.indices.empty() || !built.issues.empty()));
   }

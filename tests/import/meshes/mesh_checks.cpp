@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 #include "scenegraph/import/plan_geometry.h"
 
@@ -27,6 +28,15 @@ Vec3 unpack_normal(std::uint32_t packed) {
 
 Material material(const CityVertex& vertex) { return static_cast<Material>(vertex.colour >> 24); }
 
+namespace {
+std::string triangle_text(std::size_t row, const std::array<Vec3d, 3>& p, const Vec3d& cross) {
+  std::ostringstream text;
+  text << "triangle " << row;
+  for (const Vec3d& q : {p[0], p[1], p[2], cross}) text << " (" << q.x << ' ' << q.y << ' ' << q.z << ')';
+  return text.str();
+}
+}  // namespace
+
 std::string fault(const CityMesh& mesh) {
   for (const CityVertex& v : mesh.vertices) {
     const bool finite = std::isfinite(v.position.x) && std::isfinite(v.position.y) && std::isfinite(v.position.z);
@@ -44,9 +54,10 @@ std::string fault(const CityMesh& mesh) {
       mean += Vec3d(unpack_normal(mesh.vertices[mesh.indices[i + k]].normal));
     }
     const Vec3d cross = glm::cross(p[1] - p[0], p[2] - p[0]);
-    // Slivers of a millimetre have no direction after rounding to float.
-    if (glm::length(cross) > 2e-3 && glm::dot(glm::normalize(cross), glm::normalize(mean)) < 0.97)
-      return "triangle " + std::to_string(i / 3) + " does not face along its normal";
+    const double longest = std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
+    // Slivers thinner than 1 cm have no direction after rounding to float.
+    if (glm::length(cross) > 1e-2 * longest && glm::dot(glm::normalize(cross), glm::normalize(mean)) < 0.97)
+      return triangle_text(i / 3, p, cross) + " does not face along its normal";
   }
   return {};
 }
