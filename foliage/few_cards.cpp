@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "foliage/random.h"
 
@@ -81,10 +82,23 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t v) {
   return v;
 }
 
-/// Triangles that share a vertex are one card.
+/// For each vertex the first one at its place: where normals differ, a file has several.
+std::vector<std::uint32_t> joined_by_place(const MeshPart& part) {
+  std::vector<std::uint32_t> order(part.vertices.size()), first(part.vertices.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto key = [&](std::uint32_t i) {
+    const Vec3& p = part.vertices[i].position;
+    return std::tuple(p.x, p.y, p.z);
+  };
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return std::tuple(key(a), a) < std::tuple(key(b), b); });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    first[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
+  return first;
+}
+
+/// Triangles that share a corner are one card.
 std::vector<Card> find_cards(const MeshPart& leaves) {
-  std::vector<std::uint32_t> parent(leaves.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0U);
+  std::vector<std::uint32_t> parent = joined_by_place(leaves);
   for (std::size_t i = 0; i < leaves.indices.size(); ++i)
     parent[root_of(parent, leaves.indices[i])] = root_of(parent, leaves.indices[i - i % 3]);
   std::vector<Card> cards;
@@ -210,25 +224,24 @@ class Thinning {
 
   MeshPart scaled(float scale) const {
     MeshPart out;
-    for (const Choice& choice : chosen_) add_card(out, choice, scale * choice.scale);
+    std::vector<std::uint32_t> places(leaves_.vertices.size(), ~0U);  // in `out`; cards share no vertex
+    for (const Choice& choice : chosen_) add_card(out, places, choice, scale * choice.scale);
     return out;
   }
 
-  void add_card(MeshPart& out, const Choice& choice, float scale) const {
+  void add_card(MeshPart& out, std::vector<std::uint32_t>& places, const Choice& choice, float scale) const {
     const std::size_t first = out.vertices.size();
     const Card& card = cards_[choice.card];
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> known;  // fine index, coarse index
     for (const std::uint32_t t : card.triangles) {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t i = leaves_.indices[t + k];
-        auto found = std::find_if(known.begin(), known.end(), [&](const auto& pair) { return pair.first == i; });
-        if (found == known.end()) {
+        if (places[i] == ~0U) {
           MeshVertex v = leaves_.vertices[i];
           v.position = choice.place + (v.position - card.middle) * scale;
-          found = known.insert(known.end(), {i, static_cast<std::uint32_t>(out.vertices.size())});
+          places[i] = static_cast<std::uint32_t>(out.vertices.size());
           out.vertices.push_back(v);
         }
-        out.indices.push_back(found->second);
+        out.indices.push_back(places[i]);
       }
     }
     push_inside(std::span(out.vertices).subspan(first), size_);

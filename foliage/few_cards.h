@@ -15,9 +15,9 @@ struct Silhouette {
 /// at `angle` radians about the axis; texels of leaves with alpha below one half are holes. Cost: the pixels, 96 x 96.
 float side_coverage(const PlantMesh& mesh, const Silhouette& silhouette, float angle);
 
-/// Triangles joined by common vertices: a card, or a leaf of a few triangles. At most `most` of `leaves`' cards, spread
-/// evenly over the crown, each moved to the middle of those it stands for, and all scaled so that with `bark` the
-/// coverage is that of `fine`. Deterministic.
+/// Triangles joined by common corners are a card, or a leaf of a few triangles. At most `most` of `leaves`' cards,
+/// spread evenly over the crown, each moved to the middle of those it stands for, and all scaled so that with `bark`
+/// the coverage is that of `fine`. Deterministic.
 MeshPart few_cards(const PlantMesh& fine, const MeshPart& bark, const Silhouette& silhouette, std::size_t most);
 
 /// A share of the cards, drawn by hash, each in its place and scaled about its middle to the same end.

@@ -17,7 +17,7 @@ constexpr float kPi = 3.14159265F;
 constexpr float kRootDepth = 0.03F;       // of the height: the trunk goes into the ground, for slopes
 constexpr float kBarkTile = 1.2F;         // metres of a stem that one bark image covers
 constexpr float kFineRadiusPx = 45;       // below it a leaf of the fine level is under a pixel
-constexpr std::size_t kCoarseCards = 32;  // 64 triangles
+constexpr std::size_t kCoarseCards = 40;  // 80 triangles
 
 MeshVertex ring_vertex(const StemPoint& at, int side, int sides, const Vec2& uv) {
   const float angle = 2 * kPi * static_cast<float>(side) / static_cast<float>(sides);
@@ -137,6 +137,7 @@ PlantModel generate_plant(const SpeciesParams& species, std::uint64_t seed) {
   PlantMesh coarse{coarse_bark_of(skeleton), {}};
   coarse.leaves = few_cards(fine, coarse.bark, {model.leaf, size}, kCoarseCards);
   light.apply(coarse);
+  take_light(coarse.leaves, fine.leaves);
   model.levels = {finish_level(fine, size, kFineRadiusPx), finish_level(coarse, size, 0)};
   return model;
 }

@@ -120,6 +120,19 @@ void CrownLight::apply(PlantMesh& mesh) const {
   for (MeshVertex& v : mesh.leaves.vertices) v.normal = bent_normal(v);
 }
 
+void take_light(MeshPart& coarse, const MeshPart& fine) {
+  if (fine.vertices.empty()) return;
+  const auto distance2 = [](const Vec3& a, const Vec3& b) { return glm::dot(a - b, a - b); };
+  for (MeshVertex& v : coarse.vertices) {
+    const MeshVertex& nearest =
+        *std::min_element(fine.vertices.begin(), fine.vertices.end(), [&](const auto& a, const auto& b) {
+          return distance2(a.position, v.position) < distance2(b.position, v.position);
+        });
+    v.shade = nearest.shade;
+    v.normal = nearest.normal;
+  }
+}
+
 PlantLevel finish_level(const PlantMesh& mesh, const PlantSize& size, float min_radius_px) {
   PlantLevel level;
   append(level, mesh.bark, size, false);

@@ -50,6 +50,10 @@ class CrownLight {
   std::vector<float> density_;  // leaf area by volume, 1/m
 };
 
+/// Shade and normal from the nearest vertex of `fine`: corners of large cards stick out of the crown, and must not
+/// shine for that. Cost: the product of both counts.
+void take_light(MeshPart& coarse, const MeshPart& fine);
+
 /// Scaled to the size's unit cylinder; what sticks out of it is cut back to its surface.
 PlantLevel finish_level(const PlantMesh& mesh, const PlantSize& size, float min_radius_px);
 

@@ -20,7 +20,10 @@ Vec3 rotated(const Vec3& v, const Vec3& axis, float angle) {  // Rodrigues
 
 Mat3 turned(const Mat3& frame, const Vec3& axis, float degrees) {
   const float angle = degrees * kDegree;
-  return {rotated(frame[0], axis, angle), rotated(frame[1], axis, angle), rotated(frame[2], axis, angle)};
+  // Made orthonormal again each time: axes of frames are turned about, and an error in their length would grow fast.
+  const Vec3 z = glm::normalize(rotated(frame[2], axis, angle)), x = rotated(frame[0], axis, angle);
+  const Vec3 across = glm::normalize(x - z * glm::dot(x, z));
+  return {across, glm::cross(z, across), z};
 }
 
 float declination(const Mat3& frame) {  // degrees from the zenith
@@ -185,10 +188,10 @@ class Grower {
   int branch_count(const Bud& bud) const {
     const auto most = static_cast<float>(params(bud.level + 1).branches);
     if (bud.level == 0) return params(1).branches;
+    const float longest = std::max(bud.parent_length * bud.length_max, kShortest);
     if (bud.level == 1)
-      return static_cast<int>(
-          std::lround(most * (0.2F + 0.8F * bud.length / std::max(bud.parent_length * bud.length_max, 1e-6F))));
-    return static_cast<int>(std::lround(most * (1 - 0.5F * bud.offset / std::max(bud.parent_length, 1e-6F))));
+      return static_cast<int>(std::lround(most * (0.2F + 0.8F * std::min(bud.length / longest, 1.0F))));
+    return static_cast<int>(std::lround(most * (1 - 0.5F * std::min(bud.offset / bud.parent_length, 1.0F))));
   }
 
   float child_length(const Bud& parent, float offset, float length_max) const {
@@ -242,12 +245,12 @@ class Grower {
       if (offset < start) continue;
       Bud child;
       child.level = bud.level + 1;
-      child.length_max = p.length + random.spread(p.length_v);
+      child.length_max = std::max(p.length + random.spread(p.length_v), 0.0F);
       child.length = child_length(bud, offset, child.length_max);
       if (!(child.length > kShortest)) continue;
       const StemPoint at = point_at(bud, stem, offset);
       const float power = std::pow(child.length / bud.length, species_.ratio_power);
-      child.radius = std::min(bud.radius * power, at.radius * 0.9F);
+      child.radius = std::min(at.radius * 0.9F, bud.radius * power);  // 0 times infinity is not taken
       child.parent_length = bud.length;
       child.offset = offset;
       child.position = at.position;

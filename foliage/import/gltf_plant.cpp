@@ -13,7 +13,7 @@ namespace manzana::foliage {
 namespace {
 
 constexpr std::size_t kFineTriangles = 20'000, kFineBark = 8'000;
-constexpr std::size_t kCoarseBark = 45, kCoarseLeaves = 80;
+constexpr std::size_t kCoarseBark = 40, kCoarseCards = 80, kCoarseCrown = 90;  // triangles
 constexpr float kFineRadiusPx = 60;
 
 /// Cards have few triangles each; a crown modelled as one surface has many.
@@ -37,10 +37,10 @@ PlantMesh fine_mesh(PlantMesh mesh, const Silhouette& silhouette) {
 PlantMesh coarse_mesh(const PlantMesh& fine, const Silhouette& silhouette) {
   PlantMesh coarse{simplified(largest_piece(fine.bark), kCoarseBark), {}};
   if (!made_of_cards(fine.leaves)) {
-    coarse.leaves = simplified(fine.leaves, kCoarseLeaves);
+    coarse.leaves = simplified(fine.leaves, kCoarseCrown);
   } else if (!fine.leaves.indices.empty()) {
     const std::size_t each = (fine.leaves.triangles() + count_cards(fine.leaves) - 1) / count_cards(fine.leaves);
-    coarse.leaves = few_cards(fine, coarse.bark, silhouette, kCoarseLeaves / each);
+    coarse.leaves = few_cards(fine, coarse.bark, silhouette, kCoarseCards / each);
   }
   return coarse;
 }
@@ -57,8 +57,10 @@ PlantModel plant_from(const tinygltf::Model& gltf, const std::string& name) {
   PlantMesh coarse = coarse_mesh(fine, silhouette);
   light.apply(fine);
   light.apply(coarse);
-  PlantModel model{name, size.height, size.radius, parts.leaf, parts.bark, {}};
-  model.levels = {finish_level(fine, size, kFineRadiusPx), finish_level(coarse, size, 0)};
+  take_light(coarse.leaves, fine.leaves);
+  const PlantSize drawn = measure(fine);  // fewer triangles may reach less far
+  PlantModel model{name, drawn.height, drawn.radius, parts.leaf, parts.bark, {}};
+  model.levels = {finish_level(fine, drawn, kFineRadiusPx), finish_level(coarse, drawn, 0)};
   return model;
 }
 

@@ -36,6 +36,41 @@ float area(const MeshPart& part, std::size_t t) {
       glm::cross(part.vertices[part.indices[t + 1]].position - a, part.vertices[part.indices[t + 2]].position - a));
 }
 
+/// Indices of the first vertex at each place: where normals or texture coordinates differ a surface would count as
+/// torn.
+std::vector<std::uint32_t> joined_by_place(const MeshPart& part) {
+  std::vector<std::uint32_t> joined(part.indices.size());
+  meshopt_generateShadowIndexBuffer(joined.data(), part.indices.data(), part.indices.size(), part.vertices.data(),
+                                    part.vertices.size(), sizeof(Vec3), sizeof(MeshVertex));
+  return joined;
+}
+
+constexpr float kAnyError = 1;  // of the extent
+
+std::vector<std::uint32_t> collapsed(const MeshPart& part, std::vector<std::uint32_t> indices, std::size_t triangles) {
+  indices.resize(meshopt_simplify(indices.data(), indices.data(), indices.size(), positions(part), part.vertices.size(),
+                                  sizeof(MeshVertex), 3 * triangles, kAnyError, 0, nullptr));
+  return indices;
+}
+
+std::vector<std::uint32_t> merged_cells(const MeshPart& part, std::size_t triangles) {
+  std::vector<std::uint32_t> indices(part.indices.size());
+  indices.resize(meshopt_simplifySloppy(indices.data(), part.indices.data(), indices.size(), positions(part),
+                                        part.vertices.size(), sizeof(MeshVertex), 3 * triangles, kAnyError, nullptr));
+  return indices;
+}
+
+/// The grid's steps are coarse, and it falls far short of its target at times: the finest grid that is near enough.
+std::vector<std::uint32_t> best_merged_cells(const MeshPart& part, std::size_t triangles) {
+  std::vector<std::uint32_t> best = merged_cells(part, triangles);
+  for (std::size_t target = triangles + triangles / 3; target < 4 * triangles; target += triangles / 3 + 1) {
+    std::vector<std::uint32_t> finer = merged_cells(part, target);
+    if (finer.size() > 3 * (triangles + triangles / 3)) break;
+    best = std::move(finer);
+  }
+  return best;
+}
+
 }  // namespace
 
 MeshPart welded(const MeshPart& part) {
@@ -54,24 +89,17 @@ MeshPart welded(const MeshPart& part) {
 
 MeshPart simplified(const MeshPart& part, std::size_t triangles) {
   if (part.triangles() <= triangles) return part;
-  std::vector<std::uint32_t> indices(part.indices.size());
-  constexpr float kAnyError = 1;  // of the extent
-  std::size_t count = meshopt_simplify(indices.data(), part.indices.data(), part.indices.size(), positions(part),
-                                       part.vertices.size(), sizeof(MeshVertex), 3 * triangles, kAnyError, 0, nullptr);
-  if (count > 3 * triangles * 3 / 2 || count == 0)
-    count = meshopt_simplifySloppy(indices.data(), part.indices.data(), part.indices.size(), positions(part),
-                                   part.vertices.size(), sizeof(MeshVertex), 3 * triangles, kAnyError, nullptr);
-  indices.resize(count);
+  const std::size_t enough = 3 * (triangles + triangles / 2);
+  std::vector<std::uint32_t> indices = collapsed(part, part.indices, triangles);
+  if (indices.size() > enough) indices = collapsed(part, joined_by_place(part), triangles);
+  if (indices.size() > enough || indices.empty()) indices = best_merged_cells(part, triangles);
   return compact(part, indices);
 }
 
 MeshPart largest_piece(const MeshPart& part) {
   if (part.indices.empty()) return part;
-  // Vertices at one place count as joined: tubes have a seam.
   std::vector<std::uint32_t> parent(part.vertices.size());
-  std::vector<std::uint32_t> same(part.indices.size());
-  meshopt_generateShadowIndexBuffer(same.data(), part.indices.data(), part.indices.size(), part.vertices.data(),
-                                    part.vertices.size(), sizeof(Vec3), sizeof(MeshVertex));
+  const std::vector<std::uint32_t> same = joined_by_place(part);
   std::iota(parent.begin(), parent.end(), 0U);
   for (std::size_t i = 0; i < same.size(); ++i) parent[root_of(parent, same[i])] = root_of(parent, same[i - i % 3]);
   std::vector<float> areas(part.vertices.size(), 0);

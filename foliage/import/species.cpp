@@ -1,6 +1,8 @@
 #include "foliage/import/species.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -17,13 +19,15 @@ using Json = nlohmann::json;
 
 void read(const Json& json, const std::string& key, float& out) {
   if (!json.is_number()) fail(key, "is not a number");
-  out = json.get<float>();
+  const auto value = json.get<double>();
+  if (!(std::abs(value) <= 1e9)) fail(key, "is out of range");
+  out = static_cast<float>(value);
 }
 
 void read(const Json& json, const std::string& key, int& out) {
   if (!json.is_number_integer()) fail(key, "is not a whole number");
-  const auto value = json.get<std::int64_t>();
-  if (value < -1'000'000 || value > 1'000'000) fail(key, "is out of range");
+  const auto value = json.get<double>();  // no whole number wraps round
+  if (!(std::abs(value) <= 1e6)) fail(key, "is out of range");
   out = static_cast<int>(value);
 }
 

@@ -1,0 +1,153 @@
+#include "foliage/generate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "foliage/import/species.h"
+#include "foliage/random.h"
+#include "tests/foliage/plant_checks.h"
+
+using namespace manzana;
+using namespace manzana::foliage;
+
+namespace {
+constexpr const char* kSpecies[] = {"broadleaf", "conifer", "shrub"};
+
+/// Largest distance from the axis of leaf vertices with z in [low, high); 0 without any.
+float crown_radius(const PlantLevel& level, float low, float high) {
+  float r = 0;
+  for (const PlantVertex& v : level.vertices)
+    if (v.leaf && v.position.z >= low && v.position.z < high) r = std::max(r, radius(v.position));
+  return r;
+}
+
+float lowest_leaf(const PlantLevel& level) {
+  float z = 1;
+  for (const PlantVertex& v : level.vertices)
+    if (v.leaf) z = std::min(z, v.position.z);
+  return z;
+}
+}  // namespace
+
+TEST_CASE("generated plants keep what plant.h promises, for all species and several seeds") {
+  for (const char* species : kSpecies) {
+    for (const std::uint64_t seed : {1, 2, 77}) {
+      INFO(species << " seed " << seed);
+      const PlantModel model = generate_plant(builtin_species(species), seed);
+      check_plant(model);
+      REQUIRE(model.levels.size() == 2);
+      const std::size_t fine = model.levels[0].indices.size() / 3, coarse = model.levels[1].indices.size() / 3;
+      CHECK(fine >= 1800);
+      CHECK(fine <= 5000);
+      CHECK(coarse >= 60);
+      CHECK(coarse <= 100);
+      CHECK(model.levels[0].bark_indices > 0);
+      CHECK(model.levels[1].bark_indices > 0);
+    }
+  }
+}
+
+TEST_CASE("the coarse level covers what the fine one covers, within 15 per cent, from sides that were not fitted") {
+  for (const char* species : kSpecies) {
+    for (const std::uint64_t seed : {1, 5}) {
+      const PlantModel model = generate_plant(builtin_species(species), seed);
+      double fine = 0, coarse = 0;
+      for (const double angle : {0.0, 0.8, 1.8, 2.8}) {
+        fine += covered_share(model, model.levels[0], angle) / 4;
+        coarse += covered_share(model, model.levels[1], angle) / 4;
+      }
+      INFO(species << " seed " << seed << ": " << fine << " and " << coarse);
+      CHECK(fine > 0.15);
+      CHECK(std::abs(coarse / fine - 1) < 0.15);
+    }
+  }
+}
+
+TEST_CASE("a seed gives the same bytes, another seed others") {
+  for (const char* name : kSpecies) {
+    const SpeciesParams species = builtin_species(name);
+    CHECK(fnv(generate_plant(species, 3)) == fnv(generate_plant(species, 3)));
+    CHECK(fnv(generate_plant(species, 3)) != fnv(generate_plant(species, 4)));
+  }
+}
+
+TEST_CASE("the counter hash is splitmix64's") {
+  CHECK(foliage::hash(0) == 0xe220a8397b1dcdafULL);  // the first output for seed 0
+}
+
+TEST_CASE("species look like themselves") {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    INFO("seed " << seed);
+    const PlantModel conifer = generate_plant(builtin_species("conifer"), seed);
+    CHECK(lowest_leaf(conifer.levels[0]) < 0.15F);
+    CHECK(crown_radius(conifer.levels[0], 0.1F, 0.3F) > 1.4F * crown_radius(conifer.levels[0], 0.75F, 0.95F));
+    CHECK(conifer.height_m > 2.5F * conifer.crown_radius_m);
+    const PlantModel broadleaf = generate_plant(builtin_species("broadleaf"), seed);
+    CHECK(lowest_leaf(broadleaf.levels[0]) > 0.08F);
+    CHECK(crown_radius(broadleaf.levels[0], 0.45F, 0.75F) > crown_radius(broadleaf.levels[0], 0.9F, 1.01F));
+    const PlantModel shrub = generate_plant(builtin_species("shrub"), seed);
+    CHECK(lowest_leaf(shrub.levels[0]) < 0.15F);
+    CHECK(shrub.height_m < 4);
+  }
+}
+
+TEST_CASE("trunks stand on the axis and reach into the ground") {
+  for (const char* species : {"broadleaf", "conifer"}) {
+    const PlantModel model = generate_plant(builtin_species(species), 9);
+    for (const PlantLevel& level : model.levels) {
+      float lowest = 1, off_axis = 0;
+      for (const PlantVertex& v : level.vertices) {
+        if (v.leaf) continue;
+        lowest = std::min(lowest, v.position.z);
+        if (v.position.z < 0) off_axis = std::max(off_axis, radius(v.position));
+      }
+      CHECK(lowest < 0);
+      CHECK(lowest > -0.06F);
+      CHECK(off_axis < 0.2F);
+    }
+  }
+}
+
+TEST_CASE("inner leaves are darker than outer ones") {
+  const PlantModel model = generate_plant(builtin_species("broadleaf"), 1);
+  double inner = 0, outer = 0, inner_count = 0, outer_count = 0;
+  for (const PlantVertex& v : model.levels[0].vertices) {
+    if (!v.leaf || v.position.z < 0.4F || v.position.z > 0.7F) continue;
+    const bool in = radius(v.position) < 0.3F;
+    (in ? inner : outer) += v.shade;
+    (in ? inner_count : outer_count) += 1;
+  }
+  REQUIRE(inner_count > 0);
+  REQUIRE(outer_count > 0);
+  CHECK(inner / inner_count < 0.8 * outer / outer_count);
+}
+
+TEST_CASE("parameters that cannot be drawn are refused") {
+  const auto refused = [](auto&& change) {
+    SpeciesParams species = builtin_species("broadleaf");
+    change(species);
+    CHECK_THROWS_AS(generate_plant(species, 1), std::invalid_argument);
+  };
+  const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
+  refused([&](SpeciesParams& s) { s.scale = nan; });
+  refused([&](SpeciesParams& s) { s.ratio_power = infinite; });
+  refused([&](SpeciesParams& s) { s.stems[2].down_angle = nan; });
+  refused([&](SpeciesParams& s) { s.leaf_scale_x = -1; });
+  refused([&](SpeciesParams& s) { s.stems[1].curve_res = 0; });
+  refused([&](SpeciesParams& s) { s.levels = 5; });
+  refused([&](SpeciesParams& s) { s.shape = 8; });
+  refused([&](SpeciesParams& s) { s.stems[0].length = 0; });
+  refused([&](SpeciesParams& s) { s.leaf_shape = "square"; });
+  refused([&](SpeciesParams& s) { s.leaves = 10'000; });                                       // too many vertices
+  refused([&](SpeciesParams& s) { s.stems[1].seg_splits = 10, s.stems[1].curve_res = 100; });  // splits explode
+}
+
+TEST_CASE("select_level takes the coarser level below the radius on the screen") {
+  const PlantModel model = generate_plant(builtin_species("shrub"), 1);
+  const double edge = static_cast<double>(model.levels[0].min_radius_px);
+  CHECK(select_level(model, 1000) == 0);
+  CHECK(select_level(model, edge) == 0);
+  CHECK(select_level(model, edge - 0.001) == 1);
+  CHECK(select_level(model, 0) == 1);
+}
