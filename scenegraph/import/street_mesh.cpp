@@ -98,15 +98,20 @@ class Layer {
   }
 
  private:
+  /// One cut an end where lines and parapets end together; none that would fall on the end itself.
   void limit_clearances() {
     EdgeEnd &a = line_.ends[0], &b = line_.ends[1];
     const double least = std::max(1.0, line_.half_width);  // nearer cuts would move to the ends: street_runs
-    if (a.clear > 0) a.clear = std::max(a.clear, least + 1e-3);
-    if (b.clear > 0) b.clear = std::max(b.clear, least + 1e-3);
+    for (EdgeEnd* end : {&a, &b})
+      if (end->clear > 0) end->clear = end->open = std::max({end->clear, end->open, least + 1e-3});
     if (a.clear + b.clear > length_ - least) a.clear = b.clear = a.clear + b.clear > 0 ? length_ : 0;
   }
 
   bool deck() const { return street_.bridge; }
+  bool raised() const {
+    return deck() ||
+           std::any_of(line_.points.begin(), line_.points.end(), [](const Vec3d& p) { return p.z > kRaised; });
+  }
   double total() const { return line_.half_width + look_.pavement; }
   double top() const { return look_.pavement > 0 ? kPavementHeight : look_.height; }
   std::size_t piece_at(double along) const {
@@ -128,8 +133,8 @@ class Layer {
   std::vector<double> cuts() const {
     std::vector<double> at;
     for (std::size_t k = 1; k < count_; ++k) at.push_back(length_ * double(k) / double(count_));
-    for (const double clear : {line_.ends[0].clear, line_.ends[0].open}) at.push_back(clear);
-    for (const double clear : {line_.ends[1].clear, line_.ends[1].open}) at.push_back(length_ - clear);
+    at.insert(at.end(), {line_.ends[0].clear, length_ - line_.ends[1].clear});
+    if (raised()) at.insert(at.end(), {line_.ends[0].open, length_ - line_.ends[1].open});
     double from = 0;
     for (std::size_t i = 1; i < line_.points.size(); ++i) {
       const Vec3d &a = line_.points[i - 1], &b = line_.points[i];
