@@ -81,7 +81,7 @@ void lay_end(PieceBuilder& piece, const Section& at, const Strip& strip, bool fo
 class Layer {
  public:
   Layer(const StreetFeature& street, StreetLine& line) : street_(street), line_(line), look_(street_look(street.kind)) {
-    length_ = plan_length(line.points);
+    length_ = length_in_plan(line.points);
     count_ = static_cast<std::size_t>(std::max(1.0, std::ceil(length_ / kSurfacePiece - 1e-9)));
     limit_clearances();
   }

@@ -175,7 +175,7 @@ StreetLook street_look(StreetClass kind) {
 
 Vec2d Section::at(double s) const { return center + right * std::clamp(s * stretch, -most_left, most_right); }
 
-double plan_length(std::span<const Vec3d> points) {
+double length_in_plan(std::span<const Vec3d> points) {
   double sum = 0;
   for (std::size_t i = 1; i < points.size(); ++i) sum += glm::distance(Vec2d(points[i - 1]), Vec2d(points[i]));
   return sum;

@@ -65,6 +65,6 @@ std::vector<StreetLine> street_lines(const StreetGraph& graph, std::vector<Issue
 using Run = std::vector<Section>;
 std::vector<Run> street_runs(StreetLine& line, std::span<const double> cuts, double pavement);
 
-double plan_length(std::span<const Vec3d> points);  ///< in plan
+double length_in_plan(std::span<const Vec3d> points);  ///< in plan
 
 }  // namespace manzana
