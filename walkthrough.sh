@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and starts the walkthrough with the arguments given. See README.md.
+# Without a display the program itself says so and draws to files.
 set -eu
 here=$(pwd)
 root=$(cd "$(dirname "$0")" && pwd)
@@ -8,10 +9,4 @@ cd "$root"
 install_packages
 build release manzana-walkthrough
 cd "$here"
-if [ -z "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
-  case " $* " in
-    *" --headless "*|*" --help "*|*" -h "*|*" --version "*) ;;
-    *) say "no display: drawing the tour to files instead (--headless)"; set -- "$@" --headless ;;
-  esac
-fi
 exec "$root/build/release/bin/manzana-walkthrough" "$@"

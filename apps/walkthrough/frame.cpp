@@ -1,0 +1,64 @@
+#include "apps/walkthrough/frame.h"
+
+#include <glad/gl.h>
+
+#include <chrono>
+
+namespace manzana::walkthrough {
+namespace {
+
+class Stopwatch {
+ public:
+  /// Seconds since the last lap.
+  double lap() {
+    const auto now = Clock::now();
+    const std::chrono::duration<double> passed = now - last_;
+    last_ = now;
+    return passed.count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+};
+
+std::uint64_t blocks_in(std::span<const culling::LeafRun> runs) {
+  std::uint64_t blocks = 0;
+  for (const culling::LeafRun& run : runs) blocks += run.last - run.first;
+  return blocks;
+}
+
+}  // namespace
+
+Stage::Stage(const Scene& city, std::span<const foliage::PlantModel> plants, const draw::Quality& quality,
+             draw::Size first_size)
+    : scene(city), renderer(city, plants, quality), sets(city), size(first_size) {
+  renderer.resize(size);
+}
+
+void Stage::resize(draw::Size new_size) {
+  if (new_size.width == size.width && new_size.height == size.height) return;
+  size = new_size;
+  renderer.resize(size);
+}
+
+FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {
+  const culling::View& seen_by = stage.options.frozen != nullptr ? *stage.options.frozen : view;
+  FrameRow row;
+  Stopwatch watch;
+  find_visible(stage.scene, seen_by, stage.structure, stage.sets);
+  row.cull_us = watch.lap() * 1e6;
+  find_cars(stage.scene, ticks(seconds), stage.structure, stage.sets);
+  row.update_us = watch.lap() * 1e6;
+  const draw::FrameCounts counts = stage.renderer.draw(stage.scene, stage.sets, view, stage.options);
+  if (stage.wait) glFinish();
+  row.draw_ms = watch.lap() * 1e3;
+  row.blocks_visible = blocks_in(stage.sets.blocks);
+  row.buildings_visible = counts.buildings;
+  row.trees_visible = counts.trees;
+  row.cars_visible = counts.cars;
+  row.triangles = counts.triangles;
+  return row;
+}
+
+}  // namespace manzana::walkthrough

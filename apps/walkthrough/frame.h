@@ -1,0 +1,32 @@
+#pragma once
+/// One frame: camera, time -> cull -> cars -> draw.
+///   Stage stage(scene, plants, quality, {1280, 720});
+///   FrameRow row = draw_frame(stage, view_of(scene.frame, pose, aspect), seconds);
+///   stage.renderer.present(0);
+#include <span>
+
+#include "apps/walkthrough/frame_log.h"
+#include "scenegraph/draw/renderer.h"
+#include "scenegraph/visible.h"
+
+namespace manzana::walkthrough {
+
+/// What lives from frame to frame. The scene must outlive it; a GL context must be current.
+struct Stage {
+  Stage(const Scene& city, std::span<const foliage::PlantModel> plants, const draw::Quality& quality, draw::Size size);
+  double aspect() const { return static_cast<double>(size.width) / static_cast<double>(size.height); }
+  void resize(draw::Size new_size);
+
+  const Scene& scene;
+  draw::Renderer renderer;
+  VisibleSets sets;
+  draw::Size size;
+  Structure structure = Structure::bqr;
+  draw::DrawOptions options;  ///< with options.frozen set, that view culls and `view` looks at it from outside
+  bool wait = true;           ///< for the device at the end, so that draw_ms says all
+};
+
+/// The cars are where they are `seconds` after the start of the scene.
+FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds);
+
+}  // namespace manzana::walkthrough

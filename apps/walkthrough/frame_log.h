@@ -1,0 +1,35 @@
+#pragma once
+/// What was measured and counted in each frame, and what it comes to over a path.
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace manzana::walkthrough {
+
+/// Times by a steady clock. cull_us: find_visible alone; update_us: find_cars alone; draw_ms: from there to the end of
+/// glFinish (where the device is waited for), without read-back. triangles: submitted.
+struct FrameRow {
+  double cull_us = 0, update_us = 0, draw_ms = 0;
+  std::uint64_t blocks_visible = 0, buildings_visible = 0, trees_visible = 0, cars_visible = 0, triangles = 0;
+  double frame_ms() const { return cull_us / 1000 + update_us / 1000 + draw_ms; }
+};
+
+/// frames.csv: a head, then a row a frame.
+std::string to_csv(std::span<const FrameRow> rows);
+
+/// The smallest value that at least the fraction p of the values reach down to (nearest rank), 0 < p <= 1; the median
+/// is quantile(values, 0.5). 0 without values.
+double quantile(std::vector<double> values, double p);
+
+/// One column of the rows: `get` is a member, or a function of a row.
+template <class Get>
+std::vector<double> column(std::span<const FrameRow> rows, Get get) {
+  std::vector<double> values;
+  values.reserve(rows.size());
+  for (const FrameRow& row : rows) values.push_back(static_cast<double>(std::invoke(get, row)));
+  return values;
+}
+
+}  // namespace manzana::walkthrough

@@ -1,0 +1,70 @@
+#include "apps/walkthrough/headless.h"
+
+#include <array>
+#include <cstdio>
+
+#include "apps/walkthrough/caption.h"
+#include "apps/walkthrough/frame.h"
+#include "apps/walkthrough/load.h"
+#include "apps/walkthrough/progress_bar.h"
+#include "apps/walkthrough/summary.h"
+#include "apps/walkthrough/whole_file.h"
+#include "gl/context.h"
+
+namespace manzana::walkthrough {
+namespace {
+
+std::string frame_name(int frame) {
+  std::array<char, 32> name{};
+  std::snprintf(name.data(), name.size(), "frame_%04d.png", frame);
+  return name.data();
+}
+
+void write_frame(Stage& stage, const std::filesystem::path& file) {
+  Picture picture{stage.size, stage.renderer.read_pixels()};
+  draw_caption(picture, stage.scene.attribution);
+  write_png(file, picture);
+}
+
+std::vector<FrameRow> draw_path(const Options& options, Stage& stage, const CameraPath& path) {
+  const auto view_at = [&](int frame) {
+    return view_of(stage.scene.frame, pose_at(path, path_time(path, frame, options.frames)), stage.aspect());
+  };
+  ProgressBar bar(stderr);
+  std::vector<FrameRow> rows;
+  draw_frame(stage, view_at(0), 0);
+  for (int frame = 0; frame < options.frames; ++frame) {
+    rows.push_back(draw_frame(stage, view_at(frame), frame / kFramesPerSecond));
+    if (frame % options.every == 0) write_frame(stage, options.out / frame_name(frame));
+    bar.show("drawing", (frame + 1.0) / options.frames);
+  }
+  return rows;
+}
+
+void print_result(const Options& options, std::span<const FrameRow> rows) {
+  const auto median = [&](auto get) { return quantile(column(rows, get), 0.5); };
+  std::printf("%zu frames, medians: cull %.1f us, cars %.1f us, draw %.1f ms, %.0f triangles\n", rows.size(),
+              median(&FrameRow::cull_us), median(&FrameRow::update_us), median(&FrameRow::draw_ms),
+              median(&FrameRow::triangles));
+  std::printf("written to %s\n", options.out.c_str());
+}
+
+}  // namespace
+
+void run_headless(const Options& options, const Imported& city, std::span<const foliage::PlantModel> plants,
+                  const CameraPath& path) {
+  const gl::HeadlessContext context;
+  const std::string renderer = gl::renderer_name();
+  const auto quality = options.quality.empty() ? draw::quality_for(renderer) : draw::quality_named(options.quality);
+  Stage stage(city.scene, plants, quality, options.size);
+  stage.structure = options.structure;
+  const std::vector<FrameRow> rows = draw_path(options, stage, path);
+  const std::string by_name = gl::software_renderer() ? "low" : "high";
+  const RunFacts facts{renderer, options.quality.empty() ? by_name : options.quality, path.name, largest_memory_mb()};
+  write_whole(options.out / "frames.csv", to_csv(rows));
+  write_whole(options.out / "issues.txt", issue_table(city.issues));
+  write_whole(options.out / "summary.json", summary_json(options, city, rows, facts));
+  print_result(options, rows);
+}
+
+}  // namespace manzana::walkthrough

@@ -1,0 +1,115 @@
+#include "apps/walkthrough/options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+namespace manzana::walkthrough {
+namespace {
+
+constexpr int kLargestSide = 16384;  // of a framebuffer, on every device that has GL 4.5
+
+constexpr const char* kAbout =
+    "Walk, fly and drive through a city. CITY is builtin:town or an OpenStreetMap file\n"
+    "(.osm, .osm.gz, .osm.bz2, .osm.pbf). F1 in the window shows the keys. Without a display, or with\n"
+    "--headless, a camera path is drawn to pictures, frames.csv and summary.json.\n"
+    "Exit: 0 success, 1 bad input, 2 wrong usage.";
+
+std::optional<int> parse_int(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<draw::Size> parse_size(const std::string& text) {
+  const std::size_t x = text.find('x');
+  if (x == std::string::npos) return std::nullopt;
+  const auto width = parse_int(std::string_view(text).substr(0, x));
+  const auto height = parse_int(std::string_view(text).substr(x + 1));
+  const auto fits = [](std::optional<int> side) { return side && *side >= 1 && *side <= kLargestSide; };
+  if (!fits(width) || !fits(height)) return std::nullopt;
+  return draw::Size{*width, *height};
+}
+
+std::optional<PlantFile> parse_plant(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals + 1 == text.size()) return std::nullopt;
+  const std::string kind = text.substr(0, equals), file = text.substr(equals + 1);
+  if (kind == "broadleaf") return PlantFile{PlantKind::broadleaf, file};
+  if (kind == "conifer") return PlantFile{PlantKind::conifer, file};
+  if (kind == "shrub") return PlantFile{PlantKind::shrub, file};
+  return std::nullopt;
+}
+
+/// CLI11 sees strings; what they must look like is checked here, so that its messages name the option.
+struct Texts {
+  std::string size = "1280x720", structure = "bqr";
+  std::vector<std::string> plants;
+};
+
+void add_options(CLI::App& app, Options& options, Texts& texts) {
+  app.add_option("CITY", options.city, "builtin:town or a file")->capture_default_str();
+  app.add_flag("--headless", options.headless, "draw a camera path to files, without a window");
+  app.add_option("--path", options.path, "camera path: tour, pina or a JSON file")->capture_default_str();
+  app.add_option("--frames", options.frames, "frames that the whole path is spread over")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  app.add_option("--every", options.every, "write every K-th frame as a picture")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  app.add_option("--size", texts.size, "WIDTHxHEIGHT of pictures and window")
+      ->check(
+          [](const std::string& text) { return std::string(parse_size(text) ? "" : "is no WIDTHxHEIGHT: " + text); },
+          "")
+      ->capture_default_str();
+  app.add_option("--structure", texts.structure, "bqr: cull by the BqR-Tree; none: draw everything")
+      ->check(CLI::IsMember({"bqr", "none"}))
+      ->capture_default_str();
+  app.add_option("--out", options.out, "folder for pictures, frames.csv, summary.json, recorded paths")
+      ->capture_default_str();
+  app.add_option("--quality", options.quality, "low or high; without it the renderer's name decides")
+      ->check(CLI::IsMember({"low", "high"}));
+  app.add_option("--seed", options.seed, "of scattered trees, cars and the built-in town")->capture_default_str();
+  app.add_option("--cars", options.cars, "how many; without it the length of the streets decides")
+      ->check(CLI::Range(0, 1000000));
+  app.add_option("--plant", texts.plants, "KIND=FILE.glb: model for broadleaf, conifer or shrub")
+      ->check([](const std::string& text) { return std::string(parse_plant(text) ? "" : "is no KIND=FILE: " + text); },
+              "");
+}
+
+Options finish(Options options, const Texts& texts) {
+  options.size = *parse_size(texts.size);
+  options.structure = texts.structure == "none" ? Structure::none : Structure::bqr;
+  for (const std::string& plant : texts.plants) options.plants.push_back(*parse_plant(plant));
+  return options;
+}
+
+std::string one_line(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  for (char& c : text) c = c == '\n' ? ' ' : c;
+  return text;
+}
+
+}  // namespace
+
+Parsed parse_options(int argc, const char* const* argv) {
+  CLI::App app(kAbout, "manzana-walkthrough");
+  app.set_version_flag("--version", "manzana-walkthrough " MANZANA_VERSION);
+  Options options;
+  Texts texts;
+  add_options(app, options, texts);
+  try {
+    app.parse(argc, argv);
+    return {finish(std::move(options), texts), {}, 0};
+  } catch (const CLI::CallForHelp&) {
+    return {std::nullopt, app.help(), 0};
+  } catch (const CLI::CallForVersion& version) {
+    return {std::nullopt, std::string(version.what()) + "\n", 0};
+  } catch (const CLI::ParseError& error) {
+    return {std::nullopt, "manzana-walkthrough: " + one_line(error.what()) + " (see --help)\n", 2};
+  }
+}
+
+const char* name_of(Structure structure) { return structure == Structure::bqr ? "bqr" : "none"; }
+
+}  // namespace manzana::walkthrough

@@ -1,0 +1,46 @@
+#pragma once
+/// What the command line says.
+///   Parsed parsed = parse_options(argc, argv);
+///   if (!parsed.options) return reply(parsed);          // --help, --version or wrong usage
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenegraph/draw/renderer.h"
+#include "scenegraph/visible.h"
+
+namespace manzana::walkthrough {
+
+/// --plant KIND=FILE.glb: the model that stands for a kind.
+struct PlantFile {
+  PlantKind kind = PlantKind::broadleaf;
+  std::filesystem::path file;
+};
+
+struct Options {
+  std::string city = "builtin:town";
+  bool headless = false;
+  std::string path = "tour";  ///< built-in name, or a file
+  int frames = 300, every = 30;
+  draw::Size size{1280, 720};
+  Structure structure = Structure::bqr;
+  std::filesystem::path out = "manzana-out";
+  std::string quality;  ///< low or high; empty: by the renderer's name
+  std::uint64_t seed = 1;
+  int cars = -1;  ///< -1: by the length of the streets
+  std::vector<PlantFile> plants;
+};
+
+/// Either options, or a text to print and the code to exit with: 0 with a text for stdout, 2 with a line for stderr.
+struct Parsed {
+  std::optional<Options> options;
+  std::string text;
+  int exit_code = 0;
+};
+Parsed parse_options(int argc, const char* const* argv);
+
+const char* name_of(Structure structure);  ///< bqr, none
+
+}  // namespace manzana::walkthrough

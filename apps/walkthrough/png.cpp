@@ -1,0 +1,29 @@
+#include "apps/walkthrough/png.h"
+
+#include <stb/stb_image_write.h>
+
+#include <cassert>
+#include <stdexcept>
+#include <string>
+
+#include "apps/walkthrough/whole_file.h"
+
+namespace manzana::walkthrough {
+namespace {
+
+void append(void* bytes, void* data, int size) {
+  static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+}
+
+}  // namespace
+
+void write_png(const std::filesystem::path& file, const Picture& picture) {
+  const auto [width, height] = picture.size;
+  assert(picture.rgb.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+  std::string bytes;
+  if (stbi_write_png_to_func(append, &bytes, width, height, 3, picture.rgb.data(), width * 3) == 0)
+    throw std::runtime_error(file.string() + ": the picture cannot be packed");
+  write_whole(file, bytes);
+}
+
+}  // namespace manzana::walkthrough

@@ -1,0 +1,98 @@
+#include "apps/walkthrough/options.h"
+
+#include <catch2/catch.hpp>
+
+using namespace manzana;
+using namespace manzana::walkthrough;
+
+namespace {
+
+Parsed parse(std::vector<const char*> arguments) {
+  arguments.insert(arguments.begin(), "manzana-walkthrough");
+  return parse_options(static_cast<int>(arguments.size()), arguments.data());
+}
+
+}  // namespace
+
+TEST_CASE("options: no argument means the town in a window") {
+  const Parsed parsed = parse({});
+  REQUIRE(parsed.options);
+  CHECK(parsed.options->city == "builtin:town");
+  CHECK_FALSE(parsed.options->headless);
+  CHECK(parsed.options->path == "tour");
+  CHECK(parsed.options->frames == 300);
+  CHECK(parsed.options->every == 30);
+  CHECK(parsed.options->size.width == 1280);
+  CHECK(parsed.options->size.height == 720);
+  CHECK(parsed.options->structure == Structure::bqr);
+  CHECK(parsed.options->out == "manzana-out");
+  CHECK(parsed.options->cars == -1);
+}
+
+TEST_CASE("options: every option arrives") {
+  const Parsed parsed = parse({"city.osm.pbf", "--headless",
+                               "--path",       "pina",
+                               "--frames",     "12",
+                               "--every",      "5",
+                               "--size",       "320x180",
+                               "--structure",  "none",
+                               "--out",        "somewhere",
+                               "--quality",    "high",
+                               "--seed",       "18446744073709551615",
+                               "--cars",       "7",
+                               "--plant",      "conifer=a=b.glb",
+                               "--plant",      "shrub=c.glb"});
+  REQUIRE(parsed.options);
+  const Options& o = *parsed.options;
+  CHECK(o.city == "city.osm.pbf");
+  CHECK(o.headless);
+  CHECK(o.path == "pina");
+  CHECK(o.frames == 12);
+  CHECK(o.every == 5);
+  CHECK(o.size.width == 320);
+  CHECK(o.size.height == 180);
+  CHECK(o.structure == Structure::none);
+  CHECK(o.out == "somewhere");
+  CHECK(o.quality == "high");
+  CHECK(o.seed == 18446744073709551615ULL);
+  CHECK(o.cars == 7);
+  REQUIRE(o.plants.size() == 2);
+  CHECK(o.plants[0].kind == PlantKind::conifer);
+  CHECK(o.plants[0].file == "a=b.glb");
+  CHECK(o.plants[1].kind == PlantKind::shrub);
+}
+
+TEST_CASE("options: wrong usage is one line and 2") {
+  const std::vector<std::vector<const char*>> wrong = {
+      {"--nonsense"},           {"--frames", "0"},        {"--frames", "many"},     {"--frames"},
+      {"--every", "-1"},        {"--size", "1280"},       {"--size", "0x100"},      {"--size", "100x100x100"},
+      {"--size", "100000x100"}, {"--structure", "rtree"}, {"--quality", "ultra"},   {"--seed", "-1"},
+      {"--seed", "x"},          {"--cars", "-1"},         {"--plant", "oak=x.glb"}, {"--plant", "shrub="},
+      {"--plant", "x.glb"},     {"one.osm", "two.osm"}};
+  for (const auto& arguments : wrong) {
+    const Parsed parsed = parse(arguments);
+    CAPTURE(arguments.front(), arguments.back(), parsed.text);
+    CHECK_FALSE(parsed.options);
+    CHECK(parsed.exit_code == 2);
+    CHECK(parsed.text.starts_with("manzana-walkthrough: "));
+    CHECK(parsed.text.find('\n') == parsed.text.size() - 1);
+  }
+}
+
+TEST_CASE("options: a message names the option") {
+  CHECK(parse({"--size", "big"}).text.find("--size") != std::string::npos);
+  CHECK(parse({"--plant", "oak=x.glb"}).text.find("oak=x.glb") != std::string::npos);
+}
+
+TEST_CASE("options: help and version are answers, not errors") {
+  for (const char* ask : {"--help", "-h", "--version"}) {
+    const Parsed parsed = parse({ask});
+    CHECK_FALSE(parsed.options);
+    CHECK(parsed.exit_code == 0);
+    CHECK(parsed.text.find("manzana-walkthrough") != std::string::npos);
+  }
+  const std::string help = parse({"--help"}).text;
+  for (const char* option : {"--headless", "--path", "--frames", "--every", "--size", "--structure", "--out",
+                             "--quality", "--seed", "--cars", "--plant", "CITY"})
+    CHECK(help.find(option) != std::string::npos);
+}

@@ -1,0 +1,48 @@
+#pragma once
+/// Runs the program as a user would, and says how it ended and what it took.
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fcntl.h>
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/walkthrough/temporary_folder.h"
+
+struct Ended {
+  int code = -1;  ///< of exit; 128 + signal when it was killed
+  double cpu_s = 0, memory_mb = 0;
+  std::string out, err;
+};
+
+/// Without a display. `folder` takes its output.
+inline Ended run_walkthrough(const std::filesystem::path& folder, const std::vector<std::string>& arguments) {
+  constexpr rlim_t kMostCpu = 120;  // seconds: a hang ends the test, not the day
+  const std::string out = folder / "stdout.txt", err = folder / "stderr.txt";
+  std::vector<char*> argv{const_cast<char*>(MANZANA_WALKTHROUGH)};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  const pid_t child = fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    const rlimit cpu{kMostCpu, kMostCpu};
+    setrlimit(RLIMIT_CPU, &cpu);
+    unsetenv("DISPLAY");
+    unsetenv("WAYLAND_DISPLAY");
+    dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 1);
+    dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 2);
+    execv(MANZANA_WALKTHROUGH, argv.data());
+    _exit(127);
+  }
+  int status = 0;
+  rusage usage{};
+  REQUIRE(wait4(child, &status, 0, &usage) == child);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) * 1e-6;
+  };
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+          seconds(usage.ru_utime) + seconds(usage.ru_stime), static_cast<double>(usage.ru_maxrss) / 1024, read_all(out),
+          read_all(err)};
+}
