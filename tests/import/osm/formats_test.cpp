@@ -2,7 +2,7 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <osmium/io/any_compression.hpp>
 #include <osmium/io/pbf_output.hpp>
@@ -76,17 +76,19 @@ TEST_CASE("the credit: OpenStreetMap's unless the file names another or says tha
 }
 
 TEST_CASE("a big file is read in its time") {
-  // A tenth of the million nodes that must be read in 10 s; the margin is for slow machines and sanitizers.
+  // A tenth of the million nodes that must be read and built in 10 s.
   written::Written osm;
   for (int i = 0; i < 25000; ++i) {
     const double x = i % 160 * 30, y = i / 160 * 30;
     osm.way(i + 1, osm.ring({{x, y}, {x + 15, y}, {x + 15, y + 12}, {x, y + 12}}), {{"building", "yes"}});
   }
   const std::string xml = osm.xml();
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();  // of the processor: other programs do not count
   const CityFeatures city = read_osm_bytes(xml, "osm", "grid");
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   CHECK(city.buildings.size() == 25000);
   WARN("100 000 nodes, 25 000 buildings: " << seconds << " s");
-  CHECK(seconds < 4);
+#if !defined(__SANITIZE_ADDRESS__)
+  CHECK(seconds < 1);
+#endif
 }
