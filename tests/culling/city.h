@@ -7,26 +7,19 @@
 #include <vector>
 
 #include "culling/bqr_tree.h"
+#include "culling/hash.h"
 #include "culling/object_table.h"
 
 namespace manzana::culling::test {
 
-/// Counter-based random numbers [splitmix64]: value i of stream `seed`.
-inline std::uint64_t hash(std::uint64_t seed, std::uint64_t i) {
-  std::uint64_t z = seed * 0xD1342543DE82EF95U + (i + 1) * 0x9E3779B97F4A7C15U;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-  return z ^ (z >> 31);
-}
-
 class Random {
  public:
   explicit Random(std::uint64_t seed) : seed_(seed) {}
-  double unit() { return static_cast<double>(hash(seed_, next_++) >> 11) * 0x1p-53; }
+  double unit() { return hash_unit(seed_, next_++); }
   double in(double low, double high) { return low + (high - low) * unit(); }
   /// Evenly spread over the exponents.
   double scale(double low, double high) { return std::exp(in(std::log(low), std::log(high))); }
-  std::uint64_t below(std::uint64_t n) { return hash(seed_, next_++) % n; }
+  std::uint64_t below(std::uint64_t n) { return hash_bits(seed_, next_++) % n; }
   Vec3d direction() {
     const double z = in(-1, 1);
     const double a = in(-std::numbers::pi, std::numbers::pi);

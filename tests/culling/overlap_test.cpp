@@ -1,9 +1,6 @@
 // Predicates against exact answers: nothing that is seen may be called outside [numerics 2].
 #include "culling/overlap.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/intersections.h>
-
 #include <catch2/catch.hpp>
 #include <iostream>
 
@@ -52,7 +49,7 @@ struct Setting {
 };
 Setting random_setting(Random& random, const Vec3d& eye) {
   const View view = random_view(random, eye);
-  const Vec3d origin = glm::round(eye + random.direction() * random.scale(1, 2e4));
+  const Vec3d origin = glm::round(eye + random.direction() * random.scale(1, 2e6));
   const double reach = random.scale(10, std::isfinite(view.far_m) ? view.far_m : 1e5);
   return {view, make_polytope(view), origin, narrow(make_frustum(view), origin), reach};
 }
@@ -232,50 +229,6 @@ TEST_CASE("a leaf is accepted when its sphere and its box are") {
   }
   CHECK(accepted > 1000);
   CHECK(accepted < 49000);
-}
-
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-bool exact_overlaps(const Sphere& s, const Box& b) {
-  const auto d = [](float x) { return static_cast<double>(x); };
-  const Kernel::Point_3 c(d(s.center.x), d(s.center.y), d(s.center.z));
-  const Kernel::FT r(d(s.radius));
-  Kernel::FT square = 0;
-  for (int k = 0; k < 3; ++k) {
-    const Kernel::FT low = d(b.min[k]) - c[k], high = c[k] - d(b.max[k]);
-    const Kernel::FT gap = low > 0 ? low : high > 0 ? high : Kernel::FT(0);
-    square += gap * gap;
-  }
-  return square <= r * r;
-}
-
-TEST_CASE("sphere and box: touching counts, near misses do not") {
-  const Box box{Vec3(3, 4, -1), Vec3(9, 9, 1)};
-  CHECK(overlaps(Sphere{Vec3(0), 5}, box));
-  CHECK_FALSE(overlaps(Sphere{Vec3(0), std::nextafter(5.0F, 0.0F)}, box));
-  CHECK_FALSE(overlaps(Sphere{Vec3(0), 5}, Box{Vec3(3, std::nextafter(4.0F, 5.0F), -1), Vec3(9)}));
-  CHECK(overlaps(Sphere{Vec3(5, 5, 0), 0}, box));
-  CHECK(overlaps(Sphere{Vec3(3, 5, 0), 0}, box));  // a point on a face
-  CHECK(overlaps(Sphere{Vec3(3e38F, 0, 0), 3e38F}, Box{Vec3(-1), Vec3(0)}));
-  CHECK_FALSE(overlaps(Sphere{}, box));
-  CHECK_FALSE(overlaps(Sphere{Vec3(5, 5, 0), 1}, Box{}));
-  CHECK(overlaps(Sphere{Vec3(kNan), 1}, box));
-  CHECK(overlaps(Sphere{Vec3(100), 1}, Box{Vec3(kNan), Vec3(0)}));
-}
-
-TEST_CASE("sphere and box agree with exact arithmetic") {
-  Random random(34);
-  int touching = 0, differ = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const auto whole = [&] { return static_cast<float>(static_cast<double>(random.below(25)) - 12); };
-    const Vec3 a{whole(), whole(), whole()}, b{whole(), whole(), whole()};
-    const Box box{glm::min(a, b), glm::max(a, b)};
-    const Sphere ball{{whole(), whole(), whole()}, static_cast<float>(random.below(12))};
-    const bool exact = exact_overlaps(ball, box);
-    touching += exact && !exact_overlaps(Sphere{ball.center, ball.radius * 0.999F}, box) ? 1 : 0;
-    differ += exact != overlaps(ball, box) ? 1 : 0;
-  }
-  CHECK(differ == 0);
-  CHECK(touching > 100);
 }
 
 }  // namespace
