@@ -7,6 +7,9 @@
 namespace manzana::culling {
 namespace {
 
+constexpr double kUnit = DBL_EPSILON / 2;
+constexpr double kReach = 1e7;  // metres from the origin to any shape; the earth is not larger
+
 bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 double largest(const Vec3d& v) { return glm::max(std::abs(v.x), glm::max(std::abs(v.y), std::abs(v.z))); }
@@ -76,8 +79,8 @@ Frustum narrow(const FrustumD& frustum, const Vec3d& origin) {
   for (std::size_t k = 0; k < static_cast<std::size_t>(f.count); ++k) {
     const PlaneD& p = frustum.planes[k];
     f.planes[k] = {Vec3(p.normal), static_cast<float>(glm::dot(p.normal, shift) + p.offset)};
-    const double terms = glm::dot(glm::abs(p.normal), glm::abs(shift)) + std::abs(p.offset);
-    f.slack[k] = static_cast<float>(4 * DBL_EPSILON * terms) + 64 * FLT_MIN;
+    // The normal is off by 4 units of double in any direction, so by that much of every distance along the plane.
+    f.slack[k] = static_cast<float>(8 * kUnit * (largest(shift) * 3 + std::abs(p.offset) + kReach));
   }
   return f;
 }

@@ -51,8 +51,8 @@ struct FrustumD {
 FrustumD make_frustum(const View& view);
 
 /// Planes relative to an origin o: p = position in L - o. For the float tests of culling/overlap.h, whose margin covers
-/// the rounding done here. `slack`, metres: the part of that rounding that does not show in the float operands, because
-/// large doubles cancelled in `offset` or because a product underflows.
+/// the rounding done here. `slack`, metres: the part of it that does not show in the float operands, because large
+/// doubles cancelled in `offset`, or in the normal; some 1e-8 m, for shapes up to 1e7 m from the origin.
 struct Frustum {
   std::array<Plane, 6> planes{};
   std::array<float, 6> slack{};

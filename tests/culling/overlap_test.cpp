@@ -159,6 +159,24 @@ TEST_CASE("box and frustum: nothing is lost") {
   CHECK(lost_of_columns == 0);
 }
 
+/// There the float operands vanish, and with them their margin: what double rounded must be allowed for.
+TEST_CASE("a point in the origin, on a side far from the eye, is not lost") {
+  Random random(35);
+  int inside = 0, lost = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const View view = random_view(random, eyes()[random.below(5)]);
+    const Vec3d point = view.eye + Vec3d(touch(make_polytope(view), random, 0, 1e6).point);
+    if (!exactly_overlaps(view, BoxD{point, point})) continue;
+    ++inside;
+    const Frustum frustum = narrow(make_frustum(view), point);
+    const bool ball = overlap(frustum, narrow(SphereD{point, 0}, point)) != Overlap::outside;
+    const bool box = overlap(frustum, narrow(BoxD{point, point}, point)) != Overlap::outside;
+    lost += ball && box ? 0 : 1;
+  }
+  CHECK(inside > 2000);
+  CHECK(lost == 0);
+}
+
 Frustum simple_frustum(double far_m = 100) {
   return narrow(make_frustum(look(Vec3d(0), {0, 1, 0}, {0, 0, 1}, 1, 1, 0.1, far_m)), Vec3d(0));
 }
