@@ -37,7 +37,7 @@ City uneven_city(std::uint64_t seed, int blocks) {
   City city;
   for (int i = 0; i < blocks; ++i) {
     const double spread = random.scale(100, 5000), size = random.in(0.05, 0.1) * spread + 15;
-    const Vec3d c = Vec3d(random.in(-1, 1), random.in(-1, 1), 0) * spread;
+    const Vec3d c = Vec3d{random.in(-1, 1), random.in(-1, 1), 0} * spread;
     const BoxD box{c - Vec3d(size, size, 0), c + Vec3d(size, size, random.in(4, 60))};
     city.blocks.push_back({Vec2d(c), box, enclosing_sphere(box)});
   }

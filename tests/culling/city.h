@@ -38,6 +38,7 @@ struct City {
   Vec3d center{0, 0, 0};
 };
 
+/// Braces, not parentheses, where several random numbers are drawn: only they have an order.
 /// side x side blocks at a pitch of 100 m, `per_block` objects each on average: 2 buildings of 5 objects, else trees.
 inline City make_city(int side, int per_block, std::uint64_t seed, const Vec3d& center = Vec3d(0)) {
   City city{{}, {}, side * 100.0, center};
@@ -45,15 +46,15 @@ inline City make_city(int side, int per_block, std::uint64_t seed, const Vec3d& 
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) {
       const Vec3d corner =
-          center + Vec3d((x - side / 2.0) * 100 + random.in(-8, 8), (y - side / 2.0) * 100 + random.in(-8, 8), 0);
+          center + Vec3d{(x - side / 2.0) * 100 + random.in(-8, 8), (y - side / 2.0) * 100 + random.in(-8, 8), 0};
       std::vector<BoxD> objects;
       BoxD box{corner + Vec3d(0, 0, 0), corner + Vec3d(100, 100, 4)};  // the ground and the cars on the half-streets
       for (int i = 0; i < per_block; ++i) {
         const bool building = i % 5 < 2;
-        const Vec3d half = building ? Vec3d(random.in(4, 14), random.in(4, 14), random.in(4, 30))
-                                    : Vec3d(random.in(1, 4), 0, random.in(2, 8));
+        const Vec3d half = building ? Vec3d{random.in(4, 14), random.in(4, 14), random.in(4, 30)}
+                                    : Vec3d{random.in(1, 4), 0, random.in(2, 8)};
         const Vec3d size{half.x, building ? half.y : half.x, half.z};
-        const Vec3d middle = corner + Vec3d(random.in(14, 86), random.in(14, 86), size.z);
+        const Vec3d middle = corner + Vec3d{random.in(14, 86), random.in(14, 86), size.z};
         objects.push_back({middle - size, middle + size});
         box = merge(box, objects.back());
       }

@@ -120,7 +120,7 @@ TEST_CASE("few leaves are taken that are not seen") {
     City city;
     Random random(62);
     for (int i = 0; i < 4096; ++i) {
-      const Vec3d c = Vec3d(i % 64 * 100.0 + random.in(-9, 9), i / 64 * 100.0 + random.in(-9, 9), 0) - 3200.0;
+      const Vec3d c = Vec3d{i % 64 * 100.0 + random.in(-9, 9), i / 64 * 100.0 + random.in(-9, 9), 0} - 3200.0;
       const BoxD box{c * Vec3d(1, 1, 0), c * Vec3d(1, 1, 0) + Vec3d(80, 80, height * random.in(0.4, 1.6))};
       city.blocks.push_back({Vec2d(c) + 40.0, box, enclosing_sphere(box)});
       city.objects.push_back({box});

@@ -66,8 +66,9 @@ TEST_CASE("look makes an orthonormal basis, whatever is up") {
   Random random(12);
   double worst = 0;
   for (int i = 0; i < 3000; ++i) {
-    const Vec3d forward = random.direction() * random.scale(1e-200, 1e200);
-    const Vec3d nearly = forward + random.direction() * glm::length(forward) * random.scale(1e-12, 1);
+    const double size = random.scale(1e-200, 1e200);
+    const Vec3d forward = random.direction() * size;
+    const Vec3d nearly = forward + random.direction() * (size * random.scale(1e-12, 1));
     const Vec3d up = i % 3 == 0 ? forward : i % 3 == 1 ? nearly : random.direction();
     const View v = look(Vec3d(0), forward, up, 1, 1);
     for (const Vec3d& a : {v.right, v.up, v.forward})
