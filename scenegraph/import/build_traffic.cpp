@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "scenegraph/import/traffic_check.h"
 #include "scenegraph/import/traffic_circuits.h"
 #include "scenegraph/import/traffic_hash.h"
 #include "scenegraph/import/traffic_signals.h"
@@ -16,42 +17,36 @@ constexpr double kLanePerCar = 35;          // metres, by default
 constexpr std::uint32_t kMostCars = 20000;  // by default
 constexpr double kFilled = 0.9;             // of the slots, at most, as long as cycles can be shorter
 constexpr double kWaiting = 1.2;            // time with delays by time without
-constexpr double kFewFailures = 0.01;       // of the rides: so many streets may be given up
+constexpr double kFewFailures = 0.02;       // of the rides: so many streets may be given up
 constexpr double kShortestCycle = 4.2;      // seconds; kHeadwayGap / kSlowest at least
 constexpr double kLongestCycle = 24;
-constexpr int kRounds = 6;  // of giving up streets
+constexpr double kLongestSearch = 9;  // seconds: cycles are not made longer than this to get more slots
+constexpr int kPatience = 2;          // rounds of pairing anew, before streets are given up at once
 
 class TrafficBuilder {
  public:
   TrafficBuilder(const StreetGraph& graph, const TrafficOptions& options)
-      : graph_(graph), options_(options), lanes_(make_lanes(graph, options.left_hand)), given_up_(graph.edges.size()) {
+      : graph_(graph), options_(options), given_up_(graph.edges.size()) {
+    plan_.lanes = make_lanes(graph, options.left_hand);
     pairing_.left_hand = options.left_hand;
     pairing_.no_crossing.assign(graph.junctions.size(), 0);
   }
 
-  /// Streets whose lanes lie on others', and those that no slot can be found for, are given up, round by round.
+  /// Streets whose lanes lie on others', those that no slot can be found for, and those where cars touch all the same,
+  /// are given up, round by round, until nothing is in the way. Ends, because every second round gives up a street.
   TrafficPlan run() {
-    for (int round = 0;; ++round) {
-      plan();
-      const bool last = round == kRounds;
-      if (!give_up_overlaps() || last) break;
-    }
-    for (int round = 0;; ++round) {
-      plan_slots();
-      if (plan_.slots.failed.empty() || round == kRounds) break;
-      mend(round);
-      plan();
-    }
-    close_circuits();
+    do plan();
+    while (give_up_overlaps() || mend_slots() || give_up_meetings());
+    plan_.cars = wanted_cars();
     return std::move(plan_);
   }
 
  private:
   void plan() {
-    std::vector<char> use(lanes_.size(), 1);
-    for (std::size_t l = 0; l < lanes_.size(); ++l) use[l] = given_up_[lanes_[l].edge] ? 0 : 1;
-    balance(lanes_, static_cast<std::uint32_t>(graph_.junctions.size()), use);
-    const std::vector<std::uint32_t> next = pair_lanes(lanes_, graph_, use, pairing_);
+    std::vector<char> use(plan_.lanes.size(), 1);
+    for (std::size_t l = 0; l < plan_.lanes.size(); ++l) use[l] = given_up_[plan_.lanes[l].edge] ? 0 : 1;
+    balance(plan_.lanes, static_cast<std::uint32_t>(graph_.junctions.size()), use);
+    const std::vector<std::uint32_t> next = pair_lanes(plan_.lanes, graph_, use, pairing_);
     plan_.rides.clear();
     plan_.circuits.clear();
     for (const std::vector<std::uint32_t>& circuit : circuits_of(next)) append_circuit(circuit);
@@ -63,7 +58,7 @@ class TrafficBuilder {
     const auto count = static_cast<std::uint32_t>(lanes.size());
     for (std::uint32_t i = 0; i < count; ++i) {
       Ride ride{lanes[i], first + (i + 1) % count, first + (i + count - 1) % count, {}, 0, 0, {}};
-      const Lane &in = lanes_[lanes[i]], &out = lanes_[lanes[(i + 1) % count]];
+      const Lane &in = plan_.lanes[lanes[i]], &out = plan_.lanes[lanes[(i + 1) % count]];
       ride.way = way_over_junction(in, out, options_.left_hand);
       ride.way_length = plan_length(ride.way);
       ride.way_speed = std::min(in.speed, out.speed);
@@ -81,37 +76,56 @@ class TrafficBuilder {
     };
     for (std::uint32_t i = 0; i < 2 * (last - first); ++i) {
       Ride& forward = plan_.rides[first + i % (last - first)];
-      slow(forward.way_speed, plan_.rides[forward.previous].way_speed, lanes_[forward.lane].length);
+      slow(forward.way_speed, plan_.rides[forward.previous].way_speed, plan_.lanes[forward.lane].length);
       Ride& backward = plan_.rides[last - 1 - i % (last - first)];
-      slow(plan_.rides[backward.previous].way_speed, backward.way_speed, lanes_[backward.lane].length);
+      slow(plan_.rides[backward.previous].way_speed, backward.way_speed, plan_.lanes[backward.lane].length);
     }
     for (std::uint32_t r = first; r < last; ++r) {
       Ride& ride = plan_.rides[r];
-      ride.profile = free_profile(lanes_[ride.lane], plan_.rides[ride.previous].way_speed, ride.way_speed);
+      ride.profile = free_profile(plan_.lanes[ride.lane], plan_.rides[ride.previous].way_speed, ride.way_speed);
     }
   }
 
-  const Lane& lane_of(std::uint32_t ride) const { return lanes_[plan_.rides[ride].lane]; }
+  const Lane& lane_of(std::uint32_t ride) const { return plan_.lanes[plan_.rides[ride].lane]; }
 
-  /// Of two streets the slower, then the shorter.
-  std::uint32_t lesser(std::uint32_t a, std::uint32_t b) const {
-    const auto rank = [&](std::uint32_t r) { return std::pair(lane_of(r).speed, lane_of(r).length); };
-    return rank(a) < rank(b) ? a : b;
+  /// Of two streets the slower is given up, then the shorter.
+  std::pair<double, double> rank(std::uint32_t r) const { return {lane_of(r).speed, lane_of(r).length}; }
+  std::uint32_t lesser(std::uint32_t a, std::uint32_t b) const { return rank(a) < rank(b) ? a : b; }
+
+  bool give_up_lessers(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs) {
+    for (const auto& [a, b] : pairs)
+      if (!given_up_[lane_of(a).edge] && !given_up_[lane_of(b).edge]) given_up_[lane_of(lesser(a, b)).edge] = 1;
+    return !pairs.empty();
+  }
+  bool give_up_overlaps() { return give_up_lessers(find_overlaps(plan_.lanes, plan_.rides)); }
+
+  bool give_up_meetings() {
+    plan_.cars = ~std::uint32_t{0};
+    const std::vector<std::uint32_t> no_blocks(2 * graph_.edges.size(), 0);
+    const Traffic full = write_traffic(LocalFrame(), plan_, no_blocks, options_.seed);
+    return give_up_lessers(find_meetings(full, plan_.slots.cycle));
   }
 
-  bool give_up_overlaps() {
-    bool changed = false;
-    for (const auto& [a, b] : find_overlaps(lanes_, plan_.rides)) {
-      if (given_up_[lane_of(a).edge] || given_up_[lane_of(b).edge]) continue;
-      given_up_[lane_of(lesser(a, b)).edge] = 1;
-      changed = true;
+  /// First the ways over a junction where slots are short must not cross, then one of its streets is given up.
+  bool mend_slots() {
+    plan_slots();
+    std::vector<std::uint32_t> failed = plan_.slots.failed;
+    std::sort(failed.begin(), failed.end(), [&](std::uint32_t a, std::uint32_t b) { return rank(a) < rank(b); });
+    std::vector<char> seen(graph_.junctions.size(), 0);
+    for (const std::uint32_t r : failed) {
+      const std::uint32_t junction = lane_of(r).to;
+      if (seen[junction]) continue;
+      seen[junction] = 1;
+      if (pairing_.no_crossing[junction] || mends_ >= kPatience) given_up_[lane_of(r).edge] = 1;
+      pairing_.no_crossing[junction] = 1;
     }
-    return changed;
+    ++mends_;
+    return !failed.empty();
   }
 
   double lane_metres() const {
     double sum = 0;
-    for (const Ride& ride : plan_.rides) sum += lanes_[ride.lane].length + ride.way_length;
+    for (const Ride& ride : plan_.rides) sum += plan_.lanes[ride.lane].length + ride.way_length;
     return sum;
   }
 
@@ -121,46 +135,29 @@ class TrafficBuilder {
   }
 
   /// The longest cycle that has slots for all: the slower the change, the calmer the traffic.
-  double cycle_for_cars() {
-    plan_.cars = wanted_cars();
+  double cycle_for_cars() const {
     double driven = 0;
-    for (const Ride& ride : plan_.rides) driven += ride.way_time() + lane_time(ride.profile, 1e9);
-    return std::clamp(kWaiting * kFilled * driven / std::max(1u, plan_.cars), kShortestCycle, kLongestCycle);
+    for (const Ride& ride : plan_.rides) driven += ride.way_time() + lane_time(ride.profile, kNoCruise);
+    return std::clamp(kWaiting * kFilled * driven / std::max(1u, wanted_cars()), kShortestCycle, kLongestCycle);
   }
 
   /// Shorter cycles have more places for cars, longer ones more room at junctions: longer ones are tried as long as
   /// many rides find no slot.
   void plan_slots() {
-    const std::vector<Conflict> conflicts = find_conflicts(lanes_, plan_.rides);
-    for (double cycle = cycle_for_cars();; cycle *= 1.15) {
-      plan_.slots = choose_slots(plan_.rides, conflicts, std::round(cycle * 10) / 10, options_.seed);
-      if (double(plan_.slots.failed.size()) <= kFewFailures * double(plan_.rides.size()) || cycle > kLongestCycle)
-        return;
+    const std::vector<Conflict> conflicts = find_conflicts(plan_.lanes, plan_.rides);
+    for (cycle_ = std::max(cycle_, cycle_for_cars());; cycle_ *= 1.15) {
+      plan_.slots = choose_slots(plan_.rides, conflicts, std::round(cycle_ * 10) / 10, options_.seed);
+      const double share = double(plan_.slots.failed.size()) / std::max(1.0, double(plan_.rides.size()));
+      if (share <= kFewFailures || cycle_ > kLongestSearch) return;
     }
-  }
-
-  /// First the ways over the junction must not cross, then the street is given up.
-  void mend(int round) {
-    for (const std::uint32_t r : plan_.slots.failed) {
-      char& no_crossing = pairing_.no_crossing[lane_of(r).to];
-      if (no_crossing && round > 0) given_up_[lane_of(r).edge] = 1;
-      no_crossing = 1;
-    }
-  }
-
-  /// What is still in each other's way after all rounds stays without cars.
-  void close_circuits() {
-    plan_.closed.assign(plan_.rides.size(), 0);
-    for (const std::uint32_t r : plan_.slots.failed) plan_.closed[r] = 1;
-    for (const auto& [a, b] : find_overlaps(lanes_, plan_.rides)) plan_.closed[a] = plan_.closed[b] = 1;
-    plan_.lanes = std::move(lanes_);
   }
 
   const StreetGraph& graph_;
   const TrafficOptions& options_;
-  std::vector<Lane> lanes_;
   std::vector<char> given_up_;  // by edge
   PairingOptions pairing_;
+  int mends_ = 0;
+  double cycle_ = kShortestCycle;  // seconds; grows from round to round
   TrafficPlan plan_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <queue>
 #include <utility>
@@ -74,7 +75,7 @@ class Balancer {
 class JunctionPairing {
  public:
   JunctionPairing(std::span<const Lane> lanes, const Junction& junction, bool left_hand, bool no_crossing)
-      : lanes_(lanes), center_(junction.position), left_hand_(left_hand), crossing_cost_(no_crossing ? 10 : 0.25) {}
+      : lanes_(lanes), center_(junction.position), left_hand_(left_hand), no_crossing_(no_crossing) {}
 
   void add_in(std::uint32_t lane) { ins_.push_back({lane, angle_of(lanes_[lane].line.back())}); }
   void add_out(std::uint32_t lane) { outs_.push_back({lane, angle_of(lanes_[lane].line.front())}); }
@@ -96,15 +97,20 @@ class JunctionPairing {
 
   double angle_of(const Vec3d& p) const { return std::atan2(p.y - center_.y, p.x - center_.x); }
 
-  double turn_cost(const Lane& in, const Lane& out) const {
+  /// Without crossings: how far round the junction, from the kerb side on. Least in sum when each takes the next way
+  /// out.
+  double turn_cost(const End& from, const End& to) const {
+    const Lane &in = lanes_[from.lane], &out = lanes_[to.lane];
     if (in.edge == out.edge && in.against != out.against) return 50;
+    const double round = (to.angle - from.angle) * (left_hand_ ? -1 : 1);
+    if (no_crossing_) return round < 0 ? round + 2 * std::numbers::pi : round;
     const double turn = turn_angle(end_direction(in), start_direction(out)) * (left_hand_ ? -1 : 1);
     return turn < 0 ? -turn : 1.7 * turn;
   }
 
   void fill_costs() {
     for (const End& in : ins_)
-      for (const End& out : outs_) costs_.push_back(turn_cost(lanes_[in.lane], lanes_[out.lane]));
+      for (const End& out : outs_) costs_.push_back(turn_cost(in, out));
   }
 
   static bool between(double a, double b, double x) { return a < b ? a < x && x < b : x < b || a < x; }
@@ -117,7 +123,7 @@ class JunctionPairing {
     for (std::size_t i = 0; i < choice.size(); ++i) {
       sum += costs_[i * outs_.size() + choice[i]];
       for (std::size_t k = 0; k < i; ++k)
-        if (crosses(ins_[i], outs_[choice[i]], ins_[k], outs_[choice[k]])) sum += crossing_cost_;
+        if (crosses(ins_[i], outs_[choice[i]], ins_[k], outs_[choice[k]])) sum += kCrossingCost;
     }
     return sum;
   }
@@ -149,10 +155,10 @@ class JunctionPairing {
     return choice;
   }
 
+  static constexpr double kCrossingCost = 0.25;
   std::span<const Lane> lanes_;
   Vec3d center_;
-  bool left_hand_;
-  double crossing_cost_;
+  bool left_hand_, no_crossing_;
   std::vector<End> ins_, outs_;
   std::vector<double> costs_;  // a row an in, a column an out
 };

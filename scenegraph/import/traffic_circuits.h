@@ -17,7 +17,7 @@ void balance(std::span<const Lane> lanes, std::uint32_t junctions, std::vector<c
 
 struct PairingOptions {
   bool left_hand = false;
-  std::vector<char> no_crossing;  ///< a row a junction: ways over it must not cross each other, whatever the turns
+  std::vector<char> no_crossing;  ///< a row a junction: each takes the next way out, so that ways don't cross
 };
 
 /// For each lane in use the lane that follows it, else kNoLane. At each junction the pairing has the least sum of turn

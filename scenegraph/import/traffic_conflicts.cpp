@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenegraph/import/traffic_check.h"
 #include "scenegraph/import/traffic_signals.h"
 
 namespace manzana {
@@ -9,10 +10,11 @@ namespace {
 constexpr double kCell = 24;          // metres, of the grids that find neighbours
 constexpr double kStep = 0.8;         // metres, from sample to sample
 constexpr double kLaneEnd = 2.5;      // metres of lane at each end of a way that are timed with the way
-constexpr double kAirLength = 0.9;    // kept free round cars, both ends together
-constexpr double kAirWidth = 0.3;     // and both sides
+constexpr double kAirLength = 0.5;    // kept free round cars, both ends together
+constexpr double kAirWidth = 0.16;    // and both sides
+constexpr double kHalfReach = 3;      // metres: more than half the diagonal of an enlarged car
+constexpr double kCrossing = 1.35;    // metres: what lines that meet at right angles keep apart beyond a car's width
 constexpr double kTimeMargin = 0.12;  // seconds
-constexpr double kHeadroom = 2.5;     // metres of height between lines that don't matter to each other
 constexpr double kSameLine = 10;      // metres: rides with less between them follow each other
 
 Vec2d plan(const Vec3d& p) { return {p.x, p.y}; }
@@ -29,22 +31,21 @@ void add_to_cells(std::vector<CellItem>& cells, const Vec2d& low, const Vec2d& h
     for (std::int64_t y = index(low.y); y <= index(high.y); ++y) cells.push_back({x * 0x80000000 + y, item});
 }
 
-/// All pairs of items with a cell in common, each once.
-template <class Visit>  // void(a, b), a < b
-void visit_pairs(std::vector<CellItem>& cells, Visit&& visit) {
+/// All pairs of items with a cell in common that pass the test, each once, in order.
+template <class Test>  // bool(a, b), a < b; may be asked more than once
+std::vector<std::pair<std::uint32_t, std::uint32_t>> close_pairs(std::vector<CellItem>& cells, Test&& test) {
   std::sort(cells.begin(), cells.end(),
             [](const CellItem& a, const CellItem& b) { return a.cell != b.cell ? a.cell < b.cell : a.item < b.item; });
-  std::vector<std::uint64_t> pairs;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::size_t begin = 0, end = 0; begin < cells.size(); begin = end) {
     while (end < cells.size() && cells[end].cell == cells[begin].cell) ++end;
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t k = i + 1; k < end; ++k)
-        pairs.push_back(static_cast<std::uint64_t>(cells[i].item) << 32 | cells[k].item);
+        if (test(cells[i].item, cells[k].item)) pairs.emplace_back(cells[i].item, cells[k].item);
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  for (const std::uint64_t pair : pairs)
-    visit(static_cast<std::uint32_t>(pair >> 32), static_cast<std::uint32_t>(pair));
+  return pairs;
 }
 
 /// Metres of line between two rides of a circuit, if b follows a closely; else far more than kSameLine.
@@ -60,10 +61,20 @@ bool same_line(const std::vector<Lane>& lanes, const std::vector<Ride>& rides, s
   return metres_ahead(lanes, rides, a, b) < kSameLine || metres_ahead(lanes, rides, b, a) < kSameLine;
 }
 
+struct Rectangle {
+  Vec2d low{1e300}, high{-1e300};
+  void add(const Vec2d& p) { low = glm::min(low, p), high = glm::max(high, p); }
+};
+/// Within twice kHalfReach.
+bool meet(const Rectangle& a, const Rectangle& b) {
+  return glm::all(glm::lessThan(a.low - 2 * kHalfReach, b.high)) &&
+         glm::all(glm::lessThan(b.low - 2 * kHalfReach, a.high));
+}
+
 /// A car on a ride, `time` seconds after its slot.
 struct Sample {
-  Vec2d position, forward;
-  double height, time;
+  CarOutline car;
+  double time;
 };
 
 class ConflictFinder {
@@ -74,16 +85,14 @@ class ConflictFinder {
 
   std::vector<Conflict> run() {
     std::vector<CellItem> cells;
+    std::vector<Rectangle> boxes(rides_.size());
     for (std::uint32_t r = 0; r < rides_.size(); ++r) {
-      Vec2d low(1e300), high(-1e300);
-      for (std::uint32_t i = first_[r]; i < first_[r + 1]; ++i) {
-        low = glm::min(low, samples_[i].position);
-        high = glm::max(high, samples_[i].position);
-      }
-      add_to_cells(cells, low - 2.8, high + 2.8, r);
+      for (std::uint32_t i = first_[r]; i < first_[r + 1]; ++i) boxes[r].add(samples_[i].car.position);
+      add_to_cells(cells, boxes[r].low - kHalfReach, boxes[r].high + kHalfReach, r);
     }
     std::vector<Conflict> conflicts;
-    visit_pairs(cells, [&](std::uint32_t a, std::uint32_t b) { append_conflict(conflicts, a, b); });
+    const auto near = [&](std::uint32_t a, std::uint32_t b) { return meet(boxes[a], boxes[b]); };
+    for (const auto& [a, b] : close_pairs(cells, near)) append_conflict(conflicts, a, b);
     return conflicts;
   }
 
@@ -103,32 +112,23 @@ class ConflictFinder {
   double sample(const Vec3d& a, const Vec3d& b, double s, double speed) {
     const double length = glm::distance(plan(a), plan(b));
     const int steps = std::max(1, static_cast<int>(std::ceil(length / kStep)));
-    for (int i = 0; i <= steps; ++i) {
+    for (int i = s < 0 ? 0 : 1; i <= steps; ++i) {
       const Vec3d p = glm::mix(a, b, double(i) / steps);
-      samples_.push_back({plan(p), plan(b - a) / std::max(length, 1e-9), p.z, (s + length * i / steps) / speed});
+      samples_.push_back({{plan(p), plan(b - a) / std::max(length, 1e-9), p.z}, (s + length * i / steps) / speed});
     }
     return s + length;
   }
 
-  static bool touch_seen_from(const Sample& a, const Sample& b) {
-    constexpr double kLong = (kCarLength + kAirLength) / 2, kWide = (kCarWidth + kAirWidth) / 2;
-    const Vec2d d = b.position - a.position;
-    const double cosine = std::abs(glm::dot(a.forward, b.forward)), sine = std::abs(cross(a.forward, b.forward));
-    return std::abs(glm::dot(d, a.forward)) < kLong + kLong * cosine + kWide * sine &&
-           std::abs(cross(a.forward, d)) < kWide + kLong * sine + kWide * cosine;
-  }
-  /// Rectangles by separating axes.
-  static bool touch(const Sample& a, const Sample& b) {
-    const Vec2d d = b.position - a.position;
-    return glm::dot(d, d) < 35 && std::abs(a.height - b.height) < kHeadroom && touch_seen_from(a, b) &&
-           touch_seen_from(b, a);
+  static bool near(const Sample& a, const Sample& b) {
+    const Vec2d d = b.car.position - a.car.position;
+    return glm::dot(d, d) < 36 && touch(a.car, b.car, kAirLength, kAirWidth);
   }
 
   void append_conflict(std::vector<Conflict>& conflicts, std::uint32_t a, std::uint32_t b) const {
     Conflict c{a, b, 1e300, -1e300};
     for (std::uint32_t i = first_[a]; i < first_[a + 1]; ++i)
       for (std::uint32_t k = first_[b]; k < first_[b + 1]; ++k) {
-        if (!touch(samples_[i], samples_[k])) continue;
+        if (!near(samples_[i], samples_[k])) continue;
         c.low = std::min(c.low, samples_[k].time - samples_[i].time);
         c.high = std::max(c.high, samples_[k].time - samples_[i].time);
       }
@@ -168,8 +168,10 @@ double distance(const Strip& s, const Strip& t) {
 bool overlap(const Strip& s, const Strip& t) {
   if (std::abs(s.height - t.height) > kHeadroom) return false;
   const Vec2d d = s.b - s.a, e = t.b - t.a;
+  const Vec2d apart = glm::max(glm::min(s.a, s.b) - glm::max(t.a, t.b), glm::min(t.a, t.b) - glm::max(s.a, s.b));
+  if (std::max(apart.x, apart.y) > kCarWidth + kCrossing) return false;
   const double sine = std::abs(cross(d, e)) / std::max(glm::length(d) * glm::length(e), 1e-12);
-  return distance(s, t) < kCarWidth + 0.15 + 1.2 * sine;
+  return distance(s, t) < kCarWidth + 0.15 + (kCrossing - 0.15) * sine;
 }
 
 void append_strips(std::vector<Strip>& strips, const std::vector<Vec3d>& line, double begin, double end,
@@ -206,13 +208,14 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> find_overlaps(const std::ve
   std::vector<CellItem> cells;
   for (std::uint32_t i = 0; i < strips.size(); ++i)
     add_to_cells(cells, glm::min(strips[i].a, strips[i].b) - 1.7, glm::max(strips[i].a, strips[i].b) + 1.7, i);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
-  visit_pairs(cells, [&](std::uint32_t i, std::uint32_t k) {
+  const auto near = [&](std::uint32_t i, std::uint32_t k) {
     const Strip &s = strips[i], &t = strips[k];
-    if ((s.on_way && t.on_way) || s.ride == t.ride || !overlap(s, t)) return;
-    if (lanes[rides[s.ride].lane].edge == lanes[rides[t.ride].lane].edge && !s.on_way && !t.on_way) return;
-    if (!same_line(lanes, rides, s.ride, t.ride)) found.emplace_back(s.ride, t.ride);
-  });
+    if ((s.on_way && t.on_way) || s.ride == t.ride) return false;
+    const bool opposite = !s.on_way && !t.on_way && lanes[rides[s.ride].lane].edge == lanes[rides[t.ride].lane].edge;
+    return !opposite && overlap(s, t) && !same_line(lanes, rides, s.ride, t.ride);
+  };
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+  for (const auto& [i, k] : close_pairs(cells, near)) found.emplace_back(strips[i].ride, strips[k].ride);
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;

@@ -11,9 +11,12 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kBendRadius = 9;      // metres, of a street's own bends
 constexpr double kKerbSideRadius = 7;  // of turns that must not cut the corner
+constexpr double kKerbSideCut = 1.2;   // metres: by so much they may, if their radius is larger then
 constexpr double kWideRadius = 18;     // of the others
-constexpr double kStopBack = 3.5;      // lanes end so far from where the kerbs meet: more than half a car
+constexpr double kWideCut = 4;
+constexpr double kStopBack = 3.5;  // lanes end so far from where the kerbs meet: more than half a car
 constexpr double kLongestTrim = 28;
+constexpr double kStraightOn = 0.6;    // turns below this are S-curves from lane to lane
 constexpr double kArcStep = kPi / 12;  // of a curve, from point to point
 
 Vec2d plan(const Vec3d& p) { return {p.x, p.y}; }
@@ -203,7 +206,7 @@ class LaneMaker {
 std::vector<Vec3d> cubic(const Vec3d& a, const Vec3d& b, const Vec2d& from, const Vec2d& to, double reach) {
   std::vector<Vec3d> line{a};
   const double bend = std::abs(turn_angle(from, direction(a, b))) + std::abs(turn_angle(direction(a, b), to));
-  const int steps = std::clamp(static_cast<int>(std::ceil(bend / kArcStep)) + 1, 2, 14);
+  const int steps = std::clamp(static_cast<int>(std::ceil(bend / kArcStep)) + 3, 5, 16);
   const Vec3d p = a + Vec3d(from * reach, 0), q = b - Vec3d(to * reach, 0);
   for (int i = 1; i < steps; ++i) {
     const double t = double(i) / steps, u = 1 - t;
@@ -224,6 +227,12 @@ std::vector<Vec3d> half_circle(const Vec3d& a, const Vec3d& b, const Vec2d& from
   }
   push_distinct(line, b);
   return line;
+}
+
+double bend_radius(double turn, bool left_hand) {
+  const bool kerb_side = (turn < 0) != left_hand;
+  const double cut = 1 / std::cos(turn / 2) - 1;  // of the corner, by a circle of radius 1
+  return kerb_side ? std::max(kKerbSideRadius, kKerbSideCut / cut) : std::max(kWideRadius, kWideCut / cut);
 }
 
 /// Heights rise evenly from end to end.
@@ -252,9 +261,9 @@ double plan_length(std::span<const Vec3d> line) {
 double bend_speed(std::span<const Vec3d> line, std::size_t i) {
   if (i == 0 || i + 1 >= line.size()) return std::numeric_limits<double>::infinity();
   const double turn = std::abs(turn_angle(direction(line[i - 1], line[i]), direction(line[i], line[i + 1])));
-  const double step = std::min(plan_distance(line[i - 1], line[i]), plan_distance(line[i], line[i + 1]));
   if (turn < 1e-3) return std::numeric_limits<double>::infinity();
-  return std::max(kSlowest, std::sqrt(kSideAcceleration * step / turn));
+  const double radius = plan_distance(line[i - 1], line[i + 1]) / (2 * std::sin(std::min(turn, kPi / 2)));
+  return std::max(kSlowest, std::sqrt(kSideAcceleration * radius));
 }
 
 std::vector<Lane> make_lanes(const StreetGraph& graph, bool left_hand) { return LaneMaker(graph, left_hand).run(); }
@@ -268,10 +277,9 @@ std::vector<Vec3d> way_over_junction(const Lane& in, const Lane& out, bool left_
     return half_circle(a, b, from);
   const double sine = cross(from, to);
   const double before = cross(plan(b) - plan(a), to) / sine, after = cross(from, plan(b) - plan(a)) / sine;
-  const bool meet = std::abs(turn) > 0.1 && std::abs(turn) < 2.6 && before > 0.2 && after > 0.2;
+  const bool meet = std::abs(turn) > kStraightOn && std::abs(turn) < 2.6 && before > 0.2 && after > 0.2;
   if (!meet) return level(cubic(a, b, from, to, distance * (std::abs(turn) < 2 ? 0.35 : 0.6)));
-  const double radius = (turn < 0) != left_hand ? kKerbSideRadius : kWideRadius;
-  const double reach = std::min({before, after, radius * std::tan(std::abs(turn) / 2)});
+  const double reach = std::min({before, after, bend_radius(turn, left_hand) * std::tan(std::abs(turn) / 2)});
   const Vec3d corner = a + Vec3d(from * before, 0);
   std::vector<Vec3d> line{a};
   push_bend(line, corner - Vec3d(from * reach, 0), corner, corner + Vec3d(to * reach, 0));

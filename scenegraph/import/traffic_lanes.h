@@ -11,9 +11,8 @@
 
 namespace manzana {
 
-inline constexpr double kCarLength = 4.5, kCarWidth = 1.9;  ///< metres: what cars are kept apart for
-inline constexpr double kSideAcceleration = 2.5;            ///< m/s^2, in bends
-inline constexpr double kSlowest = 1.8;                     ///< m/s, of the tightest turn
+inline constexpr double kSideAcceleration = 2.5;  ///< m/s^2, in bends
+inline constexpr double kSlowest = 1.8;           ///< m/s, of the tightest turn
 
 /// One direction of one street, from the end of a junction to the beginning of the next.
 struct Lane {
@@ -38,7 +37,8 @@ Vec2d end_direction(const Lane& lane);
 /// Angle to turn left from a to b, -pi to pi.
 double turn_angle(const Vec2d& a, const Vec2d& b);
 double plan_length(std::span<const Vec3d> line);
-/// The speed at which the point i of a line is passed with kSideAcceleration, m/s; infinite where it is straight.
+/// The speed at which the point i of a line is passed with kSideAcceleration on the circle through it and its
+/// neighbours, m/s; infinite where it is straight.
 double bend_speed(std::span<const Vec3d> line, std::size_t i);
 
 }  // namespace manzana

@@ -7,7 +7,7 @@ namespace manzana {
 namespace {
 
 constexpr double kNodeSpacing = 5;  // metres
-constexpr int kMostNodes = 400;
+constexpr int kMostNodes = 60;
 
 double within(double speed, double distance) { return std::sqrt(speed * speed + 2 * kAcceleration * distance); }
 
@@ -57,7 +57,7 @@ double lane_time(const LaneProfile& profile, double cruise) {
 
 double cruise_for(const LaneProfile& profile, double seconds, double slowest) {
   double low = slowest, high = *std::max_element(profile.speed.begin(), profile.speed.end());
-  for (int i = 0; i < 45 && low < high; ++i) {
+  for (int i = 0; i < 32 && low < high; ++i) {
     const double middle = (low + high) / 2;
     (lane_time(profile, middle) > seconds ? low : high) = middle;
   }

@@ -11,7 +11,9 @@
 namespace manzana {
 
 inline constexpr double kAcceleration = 2.2;  ///< m/s^2, speeding up and braking
-inline constexpr double kHeadwayGap = 7.5;    ///< metres from car to car along the line, at least: a cycle at u_min
+inline constexpr double kHeadwayGap = 6.5;    ///< metres from car to car along the line, at least: a cycle at u_min
+
+inline constexpr double kNoCruise = 1e9;  ///< m/s: as fast as the free profile
 
 /// Free speed at evenly spaced nodes of a lane; v^2 is linear from node to node.
 struct LaneProfile {

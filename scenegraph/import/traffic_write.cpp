@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "scenegraph/import/traffic_hash.h"
 
@@ -32,7 +31,7 @@ class Writer {
 
  private:
   double lane_seconds(std::uint32_t r) const {
-    return lane_time(plan_.rides[r].profile, std::numeric_limits<double>::infinity()) + plan_.slots.delay[r];
+    return lane_time(plan_.rides[r].profile, kNoCruise) + plan_.slots.delay[r];
   }
 
   void append_circuit(std::uint32_t first, std::uint32_t last) {
@@ -114,10 +113,7 @@ class Writer {
   bool carries_cars(std::uint32_t circuit) const {
     const auto [first, last] = plan_.circuits[circuit];
     double metres = 0;
-    for (std::uint32_t r = first; r < last; ++r) {
-      if (plan_.closed[r]) return false;
-      metres += out_.points[out_.halves[r].last_point - 1].s;
-    }
+    for (std::uint32_t r = first; r < last; ++r) metres += out_.points[out_.halves[r].last_point - 1].s;
     return metres >= kShortestCircuit;
   }
 
@@ -125,7 +121,7 @@ class Writer {
     std::vector<Place> places;
     for (std::uint32_t c = 0; c < out_.circuits.size(); ++c)
       for (std::uint32_t k = 0; carries_cars(c) && k < cycles_[c]; ++k)
-        places.push_back({hash(seed, places.size()), c, k});
+        places.push_back({counter_hash(seed, places.size()), c, k});
     const std::size_t count = std::min<std::size_t>(plan_.cars, places.size());
     std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count), places.end(),
                      [](const Place& a, const Place& b) { return a.order < b.order; });

@@ -9,7 +9,6 @@ struct TrafficPlan {
   std::vector<Lane> lanes;
   std::vector<Ride> rides;                                        ///< circuit by circuit, in driving order
   std::vector<std::pair<std::uint32_t, std::uint32_t>> circuits;  ///< runs of rides
-  std::vector<char> closed;                                       ///< a row a ride: 1 = no cars on its circuit
   Slots slots;
   std::uint32_t cars = 0;  ///< wanted
 };

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <iostream>
 #include <unordered_map>
 
 #include "scenegraph/import/traffic_hash.h"
@@ -59,7 +60,7 @@ void check_never_touch(const Traffic& traffic, int times, std::uint64_t seed) {
   for (int i = 0; i < times; ++i) {
     INFO("tick " << tick << " seed " << seed);
     REQUIRE(touching(all_cars(traffic, tick)) == 0);
-    tick = i % 40 == 39 ? hash(seed, std::uint64_t(i)) >> 20 : tick + 577;
+    tick = i % 40 == 39 ? counter_hash(seed, std::uint64_t(i)) >> 20 : tick + 577;
   }
 }
 
@@ -73,4 +74,18 @@ TEST_CASE("cars of a town with a diagonal, one-way streets and dead ends never t
       CHECK(traffic.cars() > 500);
       check_never_touch(traffic, 200, seed);
     }
+}
+
+TEST_CASE("cars of wild street plans never touch, with as many cars as fit") {
+  std::size_t half_streets = 0, cars = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    const Town town = wild_town(60, 700, seed);
+    const Traffic traffic = traffic_of(town, {.cars = 1000000, .seed = seed});
+    INFO("seed " << seed);
+    half_streets += traffic.halves.size();
+    cars += traffic.cars();
+    check_never_touch(traffic, 150, seed);
+  }
+  std::cout << "30 wild plans: " << half_streets << " half-streets, " << cars << " cars\n";
+  CHECK(cars > 30 * 50);
 }
