@@ -16,7 +16,7 @@ namespace {
 constexpr double kLanePerCar = 35;          // metres, by default
 constexpr std::uint32_t kMostCars = 20000;  // by default
 constexpr double kFilled = 0.9;             // of the slots, at most, as long as cycles can be shorter
-constexpr double kWaiting = 1.2;            // time with delays by time without
+constexpr double kWaiting = 1.05;           // time with delays by time without
 constexpr double kFewFailures = 0.02;       // of the rides: so many streets may be given up
 constexpr double kShortestCycle = 4.2;      // seconds; kHeadwayGap / kSlowest at least
 constexpr double kLongestCycle = 24;

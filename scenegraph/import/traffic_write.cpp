@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kStreetLayer = 0.13;    // metres: carriageways lie so high above the ground
 constexpr double kLongestPiece = 150;    // metres, of a line on the round Earth: sags by under half a millimetre
+constexpr double kBlend = 2;             // metres: from one straight part's heading to the next one's
 constexpr double kShortestCircuit = 30;  // metres: shorter ones stay without cars
 
 /// A car's place in time: the k-th slot of a circuit.
@@ -85,16 +86,23 @@ class Writer {
     set_tangents(std::span(out_.points).subspan(first), direction(on_ground(onward[0]), on_ground(onward[1])));
   }
 
-  /// Points from `first` on; long straight parts are cut, because the ground is round.
+  /// Points from `first` on. Straight parts get points near their ends, so that headings are blended only there, and
+  /// long ones more, because the ground is round.
   void append_line(const std::vector<Vec3d>& line, std::size_t first) {
     if (first == 0) out_.points.push_back({on_ground(line[0]), 0, {}});
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      const double length = glm::distance(Vec2d(line[i - 1]), Vec2d(line[i])), s = out_.points.back().s;
+    for (std::size_t i = 1; i < line.size(); ++i) append_straight(line[i - 1], line[i]);
+  }
+
+  void append_straight(const Vec3d& a, const Vec3d& b) {
+    const double length = glm::distance(Vec2d(a), Vec2d(b)), s = out_.points.back().s;
+    const auto add = [&](double along) {
+      out_.points.push_back({on_ground(glm::mix(a, b, along / length)), s + along, {}});
+    };
+    if (length > 3 * kBlend) {
       const int parts = std::max(1, static_cast<int>(std::ceil(length / kLongestPiece)));
-      for (int k = 1; k <= parts; ++k)
-        out_.points.push_back(
-            {on_ground(glm::mix(line[i - 1], line[i], double(k) / parts)), s + length * k / parts, {}});
+      for (int k = 0; k <= parts; ++k) add(kBlend + (length - 2 * kBlend) * k / parts);
     }
+    add(length);
   }
 
   static Vec3d direction(const Vec3d& a, const Vec3d& b) { return glm::normalize(b - a); }
