@@ -50,8 +50,8 @@ FrameData make_frame(const LocalFrame& frame, const culling::View& view, const D
   data.sun_light = {1.75F, 1.62F, 1.38F, 0};
   data.sky_light = {0.50F, 0.60F, 0.76F, 0};
   data.ground_light = {0.24F, 0.23F, 0.20F, 0};
-  data.horizon = {0.56F, 0.68F, 0.82F, 0};
-  data.zenith = {0.09F, 0.23F, 0.58F, 0};
+  data.horizon = {0.80F, 0.93F, 1.08F, 0};
+  data.zenith = {0.13F, 0.30F, 0.72F, 0};
   data.fog.x = options.layers.fog ? static_cast<float>(1 / options.fog_distance_m) : 0.0F;
   const Vec3d place = anchor.to_block(view.eye);
   data.ground_x = narrow(anchor.axes[0], wrap(place.x));

@@ -97,7 +97,7 @@ Section section(const Station& s, std::size_t level) {
             2,
             3};
   }
-  return {{{s.width, kBottom}, {0.95F * s.width, s.belt}, {inner, s.top}, {0, s.top}}, 1, 2};
+  return {{{s.width, 0.5F * kBottom}, {0.95F * s.width, s.belt}, {inner, s.top}, {0, s.top}}, 1, 2};
 }
 
 CarPart part_of(const Station& from, const Section& s, std::size_t strip) {
@@ -164,13 +164,17 @@ Vec3 rim(const Vec3& hub, float x, float radius, float angle) {
 }
 
 // A wheel on the right: tread, tyre wall, rim. Coarse ones are discs.
-void add_wheel(Soup& soup, const Vec3& hub, int sides, bool whole) {
+void add_wheel(Soup& soup, const Vec3& hub, int sides, bool whole, bool tread) {
   const float x = hub.x;
   for (int i = 0; i < sides; ++i) {
     const auto angle = [&](int k) { return static_cast<float>(2 * std::numbers::pi * k / sides); };
     const float a = angle(i), b = angle(i + 1);
     const float hub_radius = 0.64F * kWheelRadius;
     const Vec3 centre(x, hub.y, hub.z);
+    if (tread) {
+      add_pair(soup, rim(hub, x - kWheelWidth, kWheelRadius, a), rim(hub, x - kWheelWidth, kWheelRadius, b),
+               rim(hub, x, kWheelRadius, b), rim(hub, x, kWheelRadius, a), CarPart::rubber);
+    }
     if (!whole) {
       Soup one;
       add_triangle(one, centre, rim(hub, x, kWheelRadius, a), rim(hub, x, kWheelRadius, b), CarPart::rubber);
@@ -180,8 +184,6 @@ void add_wheel(Soup& soup, const Vec3& hub, int sides, bool whole) {
       }
       continue;
     }
-    add_pair(soup, rim(hub, x - kWheelWidth, kWheelRadius, a), rim(hub, x - kWheelWidth, kWheelRadius, b),
-             rim(hub, x, kWheelRadius, b), rim(hub, x, kWheelRadius, a), CarPart::rubber);
     add_pair(soup, rim(hub, x, hub_radius, a), rim(hub, x, kWheelRadius, a), rim(hub, x, kWheelRadius, b),
              rim(hub, x, hub_radius, b), CarPart::rubber);
     const CarPart spoke = i % 3 == 2 ? CarPart::rubber : CarPart::metal;
@@ -191,10 +193,10 @@ void add_wheel(Soup& soup, const Vec3& hub, int sides, bool whole) {
 }
 
 void add_wheels(Soup& soup, std::span<const Station> line, std::size_t level) {
-  constexpr std::array<int, 3> kSides{18, 8, 4};
+  constexpr std::array<int, 3> kSides{18, 7, 4};
   const float half_base = 0.6F * line.front().y;
   for (const float y : {half_base, -half_base}) {
-    add_wheel(soup, {line[4].width + 0.015F, y, kWheelRadius}, kSides[level], level == 0);
+    add_wheel(soup, {line[4].width + 0.015F, y, kWheelRadius}, kSides[level], level == 0, level < 2);
   }
 }
 

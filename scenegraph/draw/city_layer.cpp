@@ -48,7 +48,7 @@ gl::VertexArray make_vertex_array(GLuint vertices, GLuint indices) {
 
 gl::Program make_paint(std::string_view name, std::string_view fragment) {
   using namespace shaders;
-  return gl::make_program(name, {version_glsl, frame_layout_glsl, frame_glsl, city_vert},
+  return gl::make_program(name, {version_glsl, frame_layout_glsl, frame_glsl, light_glsl, city_vert},
                           {version_glsl, frame_layout_glsl, frame_glsl, noise_glsl, light_glsl, city_glsl, fragment});
 }
 

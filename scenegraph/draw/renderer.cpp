@@ -7,6 +7,7 @@
 #include "scenegraph/draw/car_layer.h"
 #include "scenegraph/draw/city_layer.h"
 #include "scenegraph/draw/debug_volumes.h"
+#include "scenegraph/draw/shadows.h"
 #include "scenegraph/draw/sky.h"
 #include "scenegraph/draw/tree_layer.h"
 
@@ -66,6 +67,7 @@ struct Renderer::State {
   PaintPrograms paints;
   TreeLayerGpu trees;
   CarLayerGpu cars;
+  Shadows shadows;
   Sky sky;
   DebugVolumes volumes;
   gl::StreamBuffer stream;
@@ -112,6 +114,10 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
   if (layers.surfaces) {
     counts.surfaces = culling::count(sets.surfaces);
     add(counts, draw_city(surfaces, paints, sets.surfaces, stream));
+  }
+  if (quality.shadows && layers.surfaces) {
+    if (layers.trees) add(counts, draw_shadows(shadows.tree, trees.meshes, trees.selection.bins));
+    if (layers.cars) add(counts, draw_shadows(shadows.car, cars.meshes, cars.bins));
   }
   if (layers.sky) draw_sky(sky);
 }

@@ -3,22 +3,34 @@
 #include "manzana_draw_shaders.h"
 
 namespace manzana::draw {
+namespace {
 
-Sky::Sky()
-    : program(gl::make_program(
-          "sky", {shaders::version_glsl, shaders::frame_layout_glsl, shaders::frame_glsl, shaders::sky_vert},
-          {shaders::version_glsl, shaders::frame_layout_glsl, shaders::frame_glsl, shaders::noise_glsl,
-           shaders::light_glsl, shaders::sky_frag})) {
+constexpr GLsizei kVertices = 3 * 48;  // sky.vert
+
+gl::Program make_half(std::string_view name, std::string_view fragment, float side) {
+  using namespace shaders;
+  gl::Program program =
+      gl::make_program(name, {version_glsl, frame_layout_glsl, frame_glsl, sky_vert},
+                       {version_glsl, frame_layout_glsl, frame_glsl, noise_glsl, light_glsl, fragment});
+  glProgramUniform1f(program.name(), 0, side);
+  return program;
+}
+
+}  // namespace
+
+Sky::Sky() : above(make_half("sky", shaders::sky_frag, 1)), below(make_half("earth", shaders::earth_frag, -1)) {
   GLuint name = 0;
   glCreateVertexArrays(1, &name);
   nothing = gl::VertexArray(name);
 }
 
 void draw_sky(const Sky& sky) {
-  glUseProgram(sky.program.name());
   glBindVertexArray(sky.nothing.name());
   glDepthMask(GL_FALSE);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  for (const gl::Program* program : {&sky.above, &sky.below}) {
+    glUseProgram(program->name());
+    glDrawArrays(GL_TRIANGLES, 0, kVertices);
+  }
   glDepthMask(GL_TRUE);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Sky, and the ground without end below the horizon: one triangle at infinite distance, drawn last, so that only what
+/// Sky, and the ground without end below the horizon: two fans at infinite distance, drawn last, so that only what
 /// nothing covers is shaded.
 #include "gl/program.h"
 
@@ -8,7 +8,7 @@ namespace manzana::draw {
 struct Sky {
   Sky();
   gl::VertexArray nothing;  ///< core profile wants one bound
-  gl::Program program;
+  gl::Program above, below;
 };
 void draw_sky(const Sky& sky);
 

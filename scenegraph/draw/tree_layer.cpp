@@ -68,8 +68,8 @@ gl::Texture upload_textures(std::span<const foliage::PlantModel> plants) {
   GLuint name = 0;
   glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
   gl::Texture texture(name);
-  glTextureStorage3D(name, kImageLevels, GL_SRGB8_ALPHA8, kImageSize, kImageSize,
-                     2 * static_cast<GLsizei>(plants.size()));
+  // sRGB values, decoded after filtering: software devices decode four texels a sample otherwise.
+  glTextureStorage3D(name, kImageLevels, GL_RGBA8, kImageSize, kImageSize, 2 * static_cast<GLsizei>(plants.size()));
   for (std::size_t i = 0; i < plants.size(); ++i) {
     upload_image(name, 2 * static_cast<GLint>(i), plants[i].bark);
     upload_image(name, 2 * static_cast<GLint>(i) + 1, plants[i].leaf);
@@ -86,10 +86,11 @@ TreeLayerGpu::TreeLayerGpu(std::size_t trees, std::span<const foliage::PlantMode
       selection(trees, models),
       meshes(upload_meshes(plants)),
       textures(upload_textures(plants)),
-      program(gl::make_program(
-          "tree", {shaders::version_glsl, shaders::frame_layout_glsl, shaders::frame_glsl, shaders::tree_vert},
-          {shaders::version_glsl, shaders::frame_layout_glsl, shaders::frame_glsl, shaders::light_glsl,
-           shaders::tree_frag})) {
+      program(gl::make_program("tree",
+                               {shaders::version_glsl, shaders::frame_layout_glsl, shaders::frame_glsl,
+                                shaders::light_glsl, shaders::tree_vert},
+                               {shaders::version_glsl, shaders::frame_layout_glsl, shaders::frame_glsl,
+                                shaders::light_glsl, shaders::tree_frag})) {
   glProgramUniform1f(program.name(), 0, quality.samples > 1 ? 1.0F : 0.0F);
 }
 

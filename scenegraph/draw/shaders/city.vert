@@ -22,7 +22,7 @@ void main() {
   out_uv = uv;
   out_place = position;
   vec3 s = vec3(colour & 255u, colour >> 8 & 255u, colour >> 16 & 255u) * (1.0 / 255.0);
-  out_albedo = s * (s * (s * 0.305306011 + 0.682171111) + 0.012522878);  // sRGB to linear, within 0.001
+  out_albedo = from_srgb(s);
   out_kind = uvec2(colour >> 24, (block >> 24) != 0u ? block >> 24 : colour ^ block * 2654435761u);
   gl_Position = frame.view_projection * vec4(out_rel, 1.0);
 }

@@ -1,6 +1,6 @@
 // Walls: windows by bay and storey, a ground floor of shops and doors, bands between storeys. No texture: rectangles
 // filtered by the size of a pixel, and where a bay is smaller than that, their mean.
-const vec3 kFrame = vec3(0.62, 0.61, 0.58);
+const vec3 kFrame = vec3(0.50, 0.49, 0.46);
 const vec3 kCurtain = vec3(0.55, 0.52, 0.46);
 
 float box(vec2 f, vec2 w, vec4 r) { return cover(f.x, w.x, r.x, r.z) * cover(f.y, w.y, r.y, r.w); }
@@ -24,6 +24,7 @@ void main() {
   r = mix(r, vec4(0.28, 0.0, 0.72, 0.78), door);
   float opening = box(f, w, r);
   float glass = box(f, w, r + vec4(0.03, 0.03, -0.03, -0.03));
+  glass -= shop * (box(f, w, vec4(0.49, r.y, 0.51, r.w)) + box(f, w, vec4(r.x, 0.64, r.z, 0.665))) * glass;
   glass -= (1.0 - shop) * box(f, w, vec4(0.488, r.y, 0.512, r.w)) * glass;
   float sill = box(f, w, vec4(r.x - 0.04, r.y - 0.045, r.z + 0.04, r.y)) * (1.0 - shop) * (1.0 - door);
   float band = cover(f.y, w.y, 0.0, 0.035) * 0.5 + cover(f.y, w.y, 0.97, 1.0);
@@ -47,7 +48,9 @@ void main() {
   float above = smoothstep(-0.05, 0.25, dot(mirrored, frame.up.xyz));
   vec3 outside = mix(frame.ground_light.rgb * 0.6, sky_light(mirrored), above);
   vec3 inside = mix(vec3(0.02, 0.022, 0.026), kCurtain * light * 0.35, curtain * (1.0 - shop));
-  inside += vec3(0.30, 0.22, 0.12) * (shop * (1.0 - door) * 0.5 + (h > 0.94 ? 0.6 : 0.0)) * near;
+  float goods = 0.35 + 0.65 * fract(h * 7.3 + floor(f.x * 5.0) * 0.377);
+  inside += vec3(0.20, 0.16, 0.11) * (shop * (1.0 - door) * (0.12 + 0.5 * goods * smoothstep(0.7, 0.15, f.y))) * near;
+  inside += vec3(0.22, 0.15, 0.07) * (h > 0.95 ? near : 0.0);
   vec3 pane = mix(inside, outside, fresnel);
   colour = picture(mix(wall * light, pane, glass), rel);
 }

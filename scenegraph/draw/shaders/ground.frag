@@ -8,7 +8,7 @@ void main() {
   bool green = kind.x >= 6u && kind.x <= 9u;
   float coarse = value_noise(p * 0.11) - 0.5;
   float middle = (value_noise(p * 1.3) - 0.5) * (1.0 - smoothstep(0.3, 0.9, pixel));
-  float fine = (hash01(ivec2(floor(p * 9.0)), 11u) - 0.5) * (1.0 - smoothstep(0.03, 0.12, pixel));
+  float fine = (value_noise(p * 13.0) - 0.5) * (1.0 - smoothstep(0.03, 0.12, pixel));
 
   vec2 slab = fract(uv * 1.4);
   vec2 w = max(fwidth(uv) * 1.4, 1e-5);

@@ -20,8 +20,14 @@ vec3 diffuse_light(vec3 n, float open) {
   return ambient + frame.sun_light.rgb * max(dot(n, frame.sun.xyz), 0.0);
 }
 
-// A fit of the ACES film curve.  [Narkowicz 2015, "ACES Filmic Tone Mapping Curve"]
-vec3 film(vec3 x) { return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0); }
+// A fit of the ACES film curve, less exposed than the original.  [Narkowicz 2015, "ACES Filmic Tone Mapping Curve"]
+vec3 film(vec3 x) {
+  x *= 0.62;
+  return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
+}
+
+// Within 0.001 of the exact curve.
+vec3 from_srgb(vec3 s) { return s * (s * (s * 0.305306011 + 0.682171111) + 0.012522878); }
 
 // Through the air to the eye, onto the film. rel: the surface, relative to the eye.
 vec4 picture(vec3 colour, vec3 rel) {

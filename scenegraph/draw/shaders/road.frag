@@ -15,9 +15,8 @@ void main() {
   float paint = across * mix(edge, along, inner) * street * (1.0 - smoothstep(0.3, 0.6, w.y));
 
   float worn = value_noise(place.xy * 0.23);
-  float fine = (1.0 - smoothstep(0.03, 0.2, fwidth(place.x) + fwidth(place.y))) *
-               (hash01(ivec2(floor(place.xy * 16.0)), 5u) - 0.5);
-  vec3 base = albedo * (0.86 + 0.22 * worn + 0.25 * fine);
+  float fine = (1.0 - smoothstep(0.03, 0.15, fwidth(place.x) + fwidth(place.y))) * (value_noise(place.xy * 23.0) - 0.5);
+  vec3 base = albedo * (0.86 + 0.22 * worn + 0.20 * fine);
   base = mix(base, vec3(0.62), paint * (0.75 + 0.2 * worn));
   colour = picture(base * diffuse_light(normalize(smooth_normal), 0.85), rel);
 }
