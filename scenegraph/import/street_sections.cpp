@@ -51,6 +51,8 @@ struct Arm {
   Vec2d out{1, 0};
   double angle = 0, length = 0, half = 0, pavement = 0;
   StreetClass kind = StreetClass::residential;
+  int mate = -1;  // end of the edge that goes on from here, as 2 * edge + end
+  int name() const { return 2 * static_cast<int>(edge) + end; }
 };
 
 double between(const Arm& a, const Arm& b) {
@@ -109,26 +111,43 @@ void add_wedges(std::vector<Arm>& arms, const Vec3d& center, std::vector<StreetL
   for (std::size_t i = 0; i < arms.size(); ++i) {
     const Arm &a = arms[i], &b = arms[(i + 1) % arms.size()];
     const double gap = b.angle - a.angle + (i + 1 == arms.size() ? 2 * kPi : 0);
-    if (gap < kPi + 0.02) continue;
+    if (gap < kPi + 0.02 || a.mate == b.name()) continue;  // mitred ribbons leave no wedge
     const double pavement = std::min(a.pavement, b.pavement);
     lines[a.edge].wedges.push_back({center, a.angle + kPi / 2, a.angle + gap - kPi / 2, a.half, b.half, pavement});
   }
 }
 
-bool mitred(const std::vector<Arm>& arms, std::vector<StreetLine>& lines) {
-  if (arms.size() != 2 || between(arms[0], arms[1]) < kPi - kSharp) return false;
-  for (int i = 0; i < 2; ++i) {
-    const Arm &own = arms[static_cast<std::size_t>(i)], &other = arms[static_cast<std::size_t>(1 - i)];
-    EdgeEnd& end = lines[own.edge].ends[static_cast<std::size_t>(own.end)];
-    end.continued = true;
-    end.beyond = own.end == 0 ? -other.out : other.out;
-    end.beyond_length = other.length;
+void mitre(Arm& own, const Arm& other, std::vector<StreetLine>& lines) {
+  own.mate = other.name();
+  EdgeEnd& end = lines[own.edge].ends[static_cast<std::size_t>(own.end)];
+  end.continued = true;
+  end.beyond = own.end == 0 ? -other.out : other.out;
+  end.beyond_length = other.length;
+}
+
+/// Pairs of arms that are one street: both of a bend, and those of one kind that go straight on at a junction.
+void mitre_pairs(std::vector<Arm>& arms, std::vector<StreetLine>& lines) {
+  for (;;) {
+    double best = arms.size() == 2 ? kPi - kSharp : kStraight;
+    Arm *first = nullptr, *second = nullptr;
+    for (std::size_t i = 0; i < arms.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        Arm &a = arms[i], &b = arms[j];
+        const bool alike = arms.size() == 2 || a.kind == b.kind;
+        if (a.mate >= 0 || b.mate >= 0 || !alike || between(a, b) <= best) continue;
+        best = between(a, b);
+        first = &a;
+        second = &b;
+      }
+    if (first == nullptr) return;
+    mitre(*first, *second, lines);
+    mitre(*second, *first, lines);
   }
-  return true;
 }
 
 void join(std::vector<Arm>& arms, const Junction& junction, std::vector<StreetLine>& lines) {
-  if (arms.empty() || mitred(arms, lines)) return;
+  mitre_pairs(arms, lines);
+  if (arms.empty() || (arms.size() == 2 && arms[0].mate >= 0)) return;
   const bool road = carries_traffic(arms[0].kind) || arms[0].kind == StreetClass::service;
   if (arms.size() == 1 && (!road || junction.edges.size() > 1)) return;  // paths end flat
   if (road && arms.size() > 1) set_clearances(arms, lines);
