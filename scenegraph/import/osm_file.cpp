@@ -19,6 +19,20 @@ bool is_plant(const osmium::Node& node) {
   return natural != nullptr && (std::string_view(natural) == "tree" || std::string_view(natural) == "shrub");
 }
 
+/// Tags lie one after another, each two texts that end with a zero. A PBF file may hide zeros within its texts, and an
+/// odd number of them would lead the iteration over tags past their end: libosmium does not look.
+bool tags_end_well(const osmium::TagList& tags) {
+  if (tags.empty()) return true;
+  const auto* first = reinterpret_cast<const char*>(tags.cbegin().operator->());
+  const auto* last = reinterpret_cast<const char*>(tags.cend().operator->());
+  return std::count(first, last, '\0') % 2 == 0;
+}
+
+/// "way 4711".
+std::string plain_name(const osmium::OSMObject& object) {
+  return std::string(osmium::item_type_to_name(object.type())) + " " + std::to_string(object.id());
+}
+
 std::string one_line(std::string text) {
   std::ranges::replace_if(
       text, [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
@@ -86,6 +100,7 @@ class Loader {
 
   void take(const osmium::OSMObject& object) {
     if (object.deleted()) return;
+    if (!tags_end_well(object.tags())) return note_bad({plain_name(object), "its tags are damaged"});
     if (object.type() == osmium::item_type::node) return take(static_cast<const osmium::Node&>(object));
     keep(object);
   }
@@ -180,7 +195,7 @@ OsmFile load_osm(const osmium::io::File& file, const std::string& name, const Pr
 std::string where_of(const osmium::OSMObject& object) {
   static constexpr std::array<const char*, 9> kKeys{"building", "building:part", "highway", "waterway", "natural",
                                                     "landuse",  "leisure",       "amenity", "place"};
-  std::string where = std::string(osmium::item_type_to_name(object.type())) + " " + std::to_string(object.id());
+  const std::string where = plain_name(object);
   const auto key = std::ranges::find_if(kKeys, [&](const char* k) { return object.tags().has_key(k); });
   return key == kKeys.end() ? where : where + " (" + *key + ")";
 }
