@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "apps/walkthrough/street_walk.h"
 #include "apps/walkthrough/survey.h"
@@ -59,15 +60,30 @@ Vec2d outside(const Obstacles& obstacles, const Survey& survey, const Vec2d& gat
   return gate - inwards * out;
 }
 
-/// From outside to the heart, along streets where there are any; every kStep metres.
-std::vector<Vec3d> way_in(const Scene& scene, const Obstacles& obstacles, const Survey& survey) {
-  const StreetSearch search(scene.traffic, survey.heart);
-  std::vector<Vec3d> feet = walk_along(scene, obstacles, straightest_route(search, kFarthestWalk), kStep);
-  if (feet.size() < 2) feet = {at_height(survey.heart - Vec2d(0, survey.radius), 0), at_height(survey.heart, 0)};
+/// `feet` with a straight way before it, from outside the city.
+std::vector<Vec3d> from_outside(const Obstacles& obstacles, const Survey& survey, std::vector<Vec3d> feet) {
   const Vec2d gate(feet.front());
   const Vec2d inwards = direction(gate, Vec2d(feet[std::min<std::size_t>(feet.size() - 1, 6)]));
   feet.insert(feet.begin(), at_height(outside(obstacles, survey, gate, inwards), 0));
-  return resample(feet, kStep);
+  return feet;
+}
+
+/// From outside to the heart, along streets where there are any; every kStep metres. Of the straightest ways the first
+/// that comes through no building, or else the one that comes through least.
+std::vector<Vec3d> way_in(const Scene& scene, const Obstacles& obstacles, const Survey& survey) {
+  constexpr std::size_t kTries = 24;
+  const Vec3d up(0, 0, kEye);
+  std::vector<Vec3d> best{at_height(survey.heart - Vec2d(0, survey.radius), 0), at_height(survey.heart, 0)};
+  double least_buried = std::numeric_limits<double>::infinity();
+  for (const StreetRoute& route : straight_routes(StreetSearch(scene.traffic, survey.heart), kFarthestWalk, kTries)) {
+    auto feet = walk_along(scene, obstacles, route, kStep);
+    if (feet.size() < 2) continue;
+    feet = from_outside(obstacles, survey, std::move(feet));
+    const double buried = obstacles.buried_length(feet[0] + up, feet[1] + up);
+    if (buried < least_buried) least_buried = buried, best = std::move(feet);
+    if (least_buried <= 0) break;
+  }
+  return resample(best, kStep);
 }
 
 /// Where a flight from `from` comes down: a street some way off that no building hides.

@@ -69,7 +69,10 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
       ->capture_default_str();
   app.add_option("--quality", options.quality, "low or high; without it the renderer's name decides")
       ->check(CLI::IsMember({"low", "high"}));
-  app.add_option("--seed", options.seed, "of scattered trees, cars and the built-in town")->capture_default_str();
+  app.add_option("--seed", options.seed, "of scattered trees, cars and the built-in town")
+      ->check([](const std::string& text) { return std::string(text.starts_with('-') ? "is negative: " + text : ""); },
+              "")
+      ->capture_default_str();
   app.add_option("--cars", options.cars, "how many; without it the length of the streets decides")
       ->check(CLI::Range(0, 1000000));
   app.add_option("--plant", texts.plants, "KIND=FILE.glb: model for broadleaf, conifer or shrub")

@@ -24,7 +24,7 @@ void Recorder::start(double now) {
 }
 
 void Recorder::take(double now, const CameraPose& pose) {
-  constexpr double kEvery = 0.2;  // seconds
+  constexpr double kEvery = 0.2 - 1e-6;  // seconds; a frame that comes on time but for rounding counts
   if (!on_ || (!path_.keys.empty() && now - start_ < path_.keys.back().t + kEvery)) return;
   path_.keys.push_back({now - start_, pose});
 }

@@ -102,17 +102,19 @@ StreetRoute StreetSearch::route_from(std::uint32_t state) const {
   return route;
 }
 
-StreetRoute straightest_route(const StreetSearch& search, double farthest_m) {
-  const auto ends = search.ends();
-  double farthest = 0, best_detour = std::numeric_limits<double>::infinity();
-  for (const auto& end : ends)
-    if (end.distance <= farthest_m) farthest = std::max(farthest, end.distance);
-  std::uint32_t best = kNone;
-  for (const auto& end : ends) {
-    if (end.distance > farthest_m || end.distance < farthest / 2 || !(end.distance > 0)) continue;
-    if (const double detour = end.cost / end.distance; detour < best_detour) best_detour = detour, best = end.state;
-  }
-  return best == kNone ? StreetRoute{} : search.route_from(best);
+std::vector<StreetRoute> straight_routes(const StreetSearch& search, double farthest_m, std::size_t most) {
+  auto ends = search.ends();
+  std::erase_if(ends, [&](const auto& end) { return end.distance > farthest_m || !(end.distance > 0); });
+  double farthest = 0;
+  for (const auto& end : ends) farthest = std::max(farthest, end.distance);
+  std::erase_if(ends, [&](const auto& end) { return end.distance < farthest / 2; });
+  std::sort(ends.begin(), ends.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.cost / a.distance, a.state) < std::pair(b.cost / b.distance, b.state);
+  });
+  ends.resize(std::min(ends.size(), most));
+  std::vector<StreetRoute> routes;
+  for (const auto& end : ends) routes.push_back(search.route_from(end.state));
+  return routes;
 }
 
 StreetRoute route_of_length(const StreetSearch& search, double length_m) {

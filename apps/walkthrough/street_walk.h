@@ -1,7 +1,7 @@
 #pragma once
 /// Ways for a walker along real streets: on the pavement where there is one free of walls and trunks, else in the lane.
 ///   StreetSearch search(scene.traffic, heart);
-///   StreetRoute route = straightest_route(search, 3000);            // from far out to the heart
+///   StreetRoute route = straight_routes(search, 3000, 1).front();    // from far out to the heart
 ///   std::vector<Vec3d> feet = walk_along(scene, obstacles, route, 8);
 #include <cstdint>
 #include <span>
@@ -40,9 +40,9 @@ class StreetSearch {
   std::vector<std::uint32_t> parent_;
 };
 
-/// From far out straight to the place: of the ends at least half as far as the farthest (and within `farthest_m`), the
-/// one with the least detour. Empty without streets.
-StreetRoute straightest_route(const StreetSearch& search, double farthest_m);
+/// From far out straight to the place: of the ends at least half as far as the farthest (and within `farthest_m`),
+/// those with the least detour, the best first. Empty without streets.
+std::vector<StreetRoute> straight_routes(const StreetSearch& search, double farthest_m, std::size_t most);
 /// About `length_m` long, ending at the place.
 StreetRoute route_of_length(const StreetSearch& search, double length_m);
 

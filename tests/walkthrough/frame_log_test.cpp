@@ -89,7 +89,8 @@ TEST_CASE("summary.json: holds what was agreed") {
 TEST_CASE("summary.json: a file name that is no UTF-8 does not spoil it") {
   Options options;
   options.city = "caf\xe9.osm";
-  CHECK(nlohmann::json::accept(summary_json(options, {}, {}, {"", "", "", 0})));
+  const Imported empty;
+  CHECK(nlohmann::json::accept(summary_json(options, empty, {}, {"", "", "", 0})));
 }
 
 TEST_CASE("frames spread the whole path") {
