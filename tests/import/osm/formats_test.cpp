@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <osmium/io/any_compression.hpp>
 #include <osmium/io/pbf_output.hpp>
 #include <osmium/io/reader.hpp>
@@ -65,6 +67,31 @@ TEST_CASE("plain, gzip, bzip2, and PBF with every kind of blob hold the same vil
   check_alike(city.areas, as_xml.areas);
   CHECK(city.issues.size() == as_xml.issues.size());
   CHECK(city.attribution == "© OpenStreetMap contributors");  // what the containers do not carry is assumed
+}
+
+TEST_CASE("a zero hidden in a text of a PBF file costs one object") {
+  written::Written osm;
+  osm.node(0, 0, {{"natural", "tree"}, {"note", "QQQQ"}});
+  osm.node(9, 0, {{"natural", "tree"}});
+  const auto path =
+      std::filesystem::temp_directory_path() / ("manzana-zero-" + std::to_string(::getpid()) + ".osm.pbf");
+  {
+    const std::string xml = osm.xml();
+    osmium::io::Reader reader(osmium::io::File(xml.data(), xml.size(), "osm"));
+    osmium::io::Writer writer(osmium::io::File(path.string(), "pbf,pbf_compression=none"),
+                              osmium::io::overwrite::allow);
+    while (osmium::memory::Buffer buffer = reader.read()) writer(std::move(buffer));
+    writer.close();
+  }
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  std::filesystem::remove(path);
+  const std::size_t at = bytes.find("QQQQ");
+  REQUIRE(at != std::string::npos);
+  bytes[at + 1] = '\0';
+  const CityFeatures city = read_osm_bytes(bytes, "pbf", "zero");
+  CHECK(city.trees.size() == 1);
+  CHECK(written::listed(city, "node 1", "tags are damaged"));
 }
 
 TEST_CASE("the credit: OpenStreetMap's unless the file names another or says that it needs none") {
