@@ -73,7 +73,7 @@ CrownLight::CrownLight(const MeshPart& leaves) : density_(kCells * kCells * kCel
     const Vec3& a = leaves.vertices[leaves.indices[t]].position;
     const Vec3& b = leaves.vertices[leaves.indices[t + 1]].position;
     const Vec3& c = leaves.vertices[leaves.indices[t + 2]].position;
-    const glm::ivec3 at = glm::clamp(glm::ivec3(((a + b + c) / 3.0F - low_) / cell_), 0, kCells - 1);
+    const glm::ivec3 at(glm::clamp(((a + b + c) / 3.0F - low_) / cell_, 0.0F, kCells - 1.0F));
     density_[static_cast<std::size_t>((at.z * kCells + at.y) * kCells + at.x)] +=
         0.5F * glm::length(glm::cross(b - a, c - a)) / volume;
   }
@@ -91,8 +91,9 @@ float CrownLight::ambient(const Vec3& at) const {
     Vec3 p = (at - low_) / cell_ + kSky[d] * 0.7F;
     float passed = 0;
     for (int i = 0; i < kCells; ++i, p += kSky[d]) {
-      const glm::ivec3 c(glm::floor(p));
-      if (glm::any(glm::lessThan(c, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(c, glm::ivec3(kCells)))) break;
+      // In floats: bark may lie farther out than an int counts.
+      if (glm::any(glm::lessThan(p, Vec3(0))) || glm::any(glm::greaterThanEqual(p, Vec3(kCells)))) break;
+      const glm::ivec3 c(p);
       passed += density_[static_cast<std::size_t>((c.z * kCells + c.y) * kCells + c.x)];
     }
     const float weight = d < 5 ? 1.0F : 0.6F;

@@ -1,7 +1,6 @@
 #include "foliage/import/gltf_plant.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "foliage/few_cards.h"
@@ -49,8 +48,10 @@ PlantModel plant_from(const tinygltf::Model& gltf, const std::string& name) {
   PlantParts parts = plant_parts(gltf);
   parts.mesh = {welded(parts.mesh.bark), welded(parts.mesh.leaves)};
   const PlantSize size = measure(parts.mesh);
-  if (!(size.height > 0 && size.radius > 0) || !std::isfinite(size.height) || !std::isfinite(size.radius))
-    throw std::runtime_error("a plant without height or width");
+  const auto sensible = [](float v) { return v > 1e-6F && v < 1e6F; };
+  if (!sensible(size.height) || !sensible(size.radius))
+    throw std::runtime_error("a plant of " + std::to_string(size.height) + " m height and " +
+                             std::to_string(size.radius) + " m radius");
   const Silhouette silhouette{parts.leaf, size};
   const CrownLight light(parts.mesh.leaves);
   PlantMesh fine = fine_mesh(std::move(parts.mesh), silhouette);

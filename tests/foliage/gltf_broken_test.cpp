@@ -138,6 +138,16 @@ TEST_CASE("files from memory read no others") {
   CHECK_THROWS_WITH(import_plant(bytes, "memory"), Catch::StartsWith("memory: refers to the file good.bin"));
 }
 
+TEST_CASE("plants of no size, or of more than a million metres, are refused") {
+  const Folder folder("size");
+  for (const float extent : {0.0F, 1e-20F, 1e19F, 1e38F}) {
+    const float xyz[] = {extent, 0, 0, -extent, 0, 0, 0, 2, 0};
+    write(folder.path / "t.bin", {reinterpret_cast<const char*>(xyz), sizeof xyz});
+    write(folder.path / "plant.gltf", with_buffer("t.bin"));
+    CHECK_THAT(complaint(folder.path / "plant.gltf"), Catch::Contains("a plant of"));
+  }
+}
+
 TEST_CASE("files that are no glTF are refused") {
   const Folder folder("odd");
   const auto said = [&](const std::string& text) {
