@@ -174,7 +174,7 @@ class Town {
   }
 
   void park() {
-    area("park", range_outline(kPark, 11), Material::park, 70, true);
+    area("park", range_outline(kPark, 11), Material::park, 90, true);
     const Vec2d c = corner(12, 8) + Vec2d(-60, 12);
     std::vector<Vec2d> pond;
     for (int k = 0; k < 28; ++k) {
@@ -197,7 +197,7 @@ class Town {
     city_.streets.push_back(std::move(f));
   }
 
-  void wood() { area("wood", range_outline(kWood, 9), Material::wood, 190, true); }
+  void wood() { area("wood", range_outline(kWood, 9), Material::wood, 230, true); }
 
   void square() {
     area("square", range_outline(kSquare, 7), Material::pavement);

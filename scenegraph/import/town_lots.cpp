@@ -68,14 +68,14 @@ class Filler {
   }
   double start() { return style_.kind == LotKind::houses ? 3 : 0; }
   double lot_width() {
-    return style_.kind == LotKind::perimeter ? within(13, 20)
-           : style_.kind == LotKind::rows    ? within(9, 14)
+    return style_.kind == LotKind::perimeter ? within(12, 18)
+           : style_.kind == LotKind::rows    ? within(8.5, 12.5)
                                              : within(9, 12.5);
   }
   double gap() {
     return style_.kind == LotKind::perimeter ? 0
            : style_.kind == LotKind::rows    ? (unit() < 0.2 ? 5.0 : 0.0)
-                                             : within(4.5, 8);
+                                             : within(4, 7);
   }
 
   void lot(const Vec2d& corner, const Vec2d& d, const Vec2d& n, double width) {
