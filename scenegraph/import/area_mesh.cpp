@@ -167,10 +167,10 @@ std::uint32_t ground_rgb(Material material) {
 std::uint32_t ground_colour(Material material) { return pack_colour(ground_rgb(material), material); }
 
 double area_height(Material kind) {
-  constexpr std::array kOrder{Material::wood, Material::farmland, Material::grass,   Material::park,
-                              Material::sand, Material::water,    Material::pavement};
+  constexpr std::array kOrder{Material::concrete, Material::wood, Material::farmland, Material::grass,
+                              Material::park,     Material::sand, Material::water,    Material::pavement};
   const auto rank = std::find(kOrder.begin(), kOrder.end(), kind) - kOrder.begin();
-  return 0.02 + 0.005 * static_cast<double>(rank);
+  return 0.015 + 0.005 * static_cast<double>(rank);
 }
 
 std::uint32_t PieceBuilder::vertex(const Vec3d& position, const Vec3d& normal, std::uint32_t colour, const Vec2d& uv) {

@@ -38,8 +38,9 @@ bool driven(const StreetGraph& graph, std::size_t half) {
 
 class Planner {
  public:
-  Planner(const StreetGraph& graph, std::span<const Vec2d> centers, const BlockOptions& options)
-      : graph_(graph), options_(options), objects_(centers.size()), faces_(graph) {
+  Planner(const StreetGraph& graph, const StreetFaces& faces, std::span<const Vec2d> centers,
+          const BlockOptions& options)
+      : graph_(graph), options_(options), objects_(centers.size()), faces_(faces) {
     assert(std::all_of(centers.begin(), centers.end(), [](const Vec2d& p) { return std::isfinite(p.x + p.y); }));
     points_.assign(centers.begin(), centers.end());
     for (const StreetEdge& edge : graph.edges) add_kerbs(edge);
@@ -131,7 +132,7 @@ class Planner {
   const StreetGraph& graph_;
   BlockOptions options_;
   std::size_t objects_;
-  StreetFaces faces_;
+  const StreetFaces& faces_;
   std::vector<Vec2d> points_;          // centres of objects, then where each half-street looks for its face
   std::vector<std::uint32_t> ground_;  // a row a point
   std::vector<BlockGround> grounds_;
@@ -141,7 +142,12 @@ class Planner {
 }  // namespace
 
 BlockPlan find_blocks(const StreetGraph& graph, std::span<const Vec2d> centers, const BlockOptions& options) {
-  return Planner(graph, centers, options).run();
+  return find_blocks(graph, StreetFaces(graph), centers, options);
+}
+
+BlockPlan find_blocks(const StreetGraph& graph, const StreetFaces& faces, std::span<const Vec2d> centers,
+                      const BlockOptions& options) {
+  return Planner(graph, faces, centers, options).run();
 }
 
 }  // namespace manzana

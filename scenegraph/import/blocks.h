@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "scenegraph/import/street_faces.h"
 #include "scenegraph/import/street_graph.h"
 
 namespace manzana {
@@ -36,5 +37,8 @@ struct BlockOptions {
 /// there is one across the street. Every centre gets exactly one block; centres on a border get the first of its faces,
 /// in the order of their centroids. Deterministic. Asserts finite centres. O(n log n).
 BlockPlan find_blocks(const StreetGraph& graph, std::span<const Vec2d> centers, const BlockOptions& options = {});
+/// The same with faces that are there already: those of `graph`.
+BlockPlan find_blocks(const StreetGraph& graph, const StreetFaces& faces, std::span<const Vec2d> centers,
+                      const BlockOptions& options = {});
 
 }  // namespace manzana

@@ -13,6 +13,7 @@
 #include "scenegraph/import/import.h"
 #include "scenegraph/import/layers.h"
 #include "scenegraph/import/meshes.h"
+#include "scenegraph/import/paved_ground.h"
 
 namespace manzana {
 namespace {
@@ -53,12 +54,14 @@ class Builder {
     const std::vector<TreeFeature> scattered = scatter_trees(f_, options_.seed);
     f_.trees.insert(f_.trees.end(), scattered.begin(), scattered.end());
     tell("ground", 0);
+    const StreetFaces faces(graph_);
+    for (AreaFeature& area : paved_ground(faces, f_.buildings)) f_.areas.push_back(std::move(area));
     pieces_ = area_pieces(f_.areas, f_.issues);
     for (SurfacePiece& piece : street_pieces(graph_, f_.issues)) pieces_.push_back(std::move(piece));
     tell("blocks", 0);
     BlockOptions options;
     options.left_hand_traffic = f_.left_hand_traffic;
-    plan_ = find_blocks(graph_, centers(), options);
+    plan_ = find_blocks(graph_, faces, centers(), options);
     frames_.reserve(plan_.blocks.size());
     for (const BlockGround& ground : plan_.blocks) frames_.push_back(block_frame(f_.frame, ground.center));
   }

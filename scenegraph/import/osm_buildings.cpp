@@ -242,6 +242,35 @@ void append(const Candidate& candidate, const OsmArea& outline, int usual, CityF
   city.buildings.push_back(std::move(building));
 }
 
+/// Where parts hang in the air over most of an outline, because only the upper floors were mapped as parts, the outline
+/// itself stands below them.
+void append_bases(const Candidates& found, const PartCover& cover, const std::vector<bool>& by_parts,
+                  std::size_t first_part, int usual, CityFeatures& city) {
+  std::vector<double> lowest(found.outlines.size(), std::numeric_limits<double>::infinity());
+  std::vector<Polygon> grounded;
+  for (std::size_t i = 0; i < found.parts.size(); ++i) {
+    const double floor = city.buildings[first_part + i].min_height;
+    if (floor < kLevelHeight / 2)
+      grounded.push_back(found.parts[i].shape);
+    else if (cover.outline_of[i] != kNoOutline)
+      lowest[cover.outline_of[i]] = std::min(lowest[cover.outline_of[i]], floor);
+  }
+  const PartCover standing = cover_by_parts(shapes_of(found.outlines), grounded);
+  for (std::size_t i = 0; i < found.outlines.size(); ++i) {
+    if (!by_parts[i] || !std::isfinite(lowest[i]) || standing.covered[i] > 0.5) continue;
+    append(found.outlines[i], *found.outlines[i].area, usual, city);
+    BuildingFeature& base = city.buildings.back();
+    if (base.min_height > 0) {
+      city.buildings.pop_back();  // a bridge between houses: it is meant to hang
+      continue;
+    }
+    base.height = lowest[i];
+    base.roof = RoofShape::flat;
+    base.roof_height = 0;
+    base.levels = std::max(1, static_cast<int>(std::lround(lowest[i] / kLevelHeight)));
+  }
+}
+
 }  // namespace
 
 void read_buildings(const OsmFile& osm, const OsmShapes& shapes, CityFeatures& city) {
@@ -250,15 +279,18 @@ void read_buildings(const OsmFile& osm, const OsmShapes& shapes, CityFeatures& c
   const PartCover cover = cover_by_parts(shapes_of(found.outlines), shapes_of(found.parts));
   const OutlineIds replaced = outlines_with_parts(osm, found.parts);
   const int usual = usual_levels(found.outlines);
+  std::vector<bool> by_parts(found.outlines.size());
   for (std::size_t i = 0; i < found.outlines.size(); ++i) {
     const OsmArea& area = *found.outlines[i].area;
-    const bool drawn_by_parts = cover.covered[i] > 0.5 || replaced.contains({area.relation, area.id});
-    if (!drawn_by_parts) append(found.outlines[i], area, usual, city);
+    by_parts[i] = cover.covered[i] > 0.5 || replaced.contains({area.relation, area.id});
+    if (!by_parts[i]) append(found.outlines[i], area, usual, city);
   }
+  const std::size_t first_part = city.buildings.size();
   for (std::size_t i = 0; i < found.parts.size(); ++i) {
     const std::uint32_t outline = cover.outline_of[i];
     append(found.parts[i], outline == kNoOutline ? *found.parts[i].area : *found.outlines[outline].area, usual, city);
   }
+  append_bases(found, cover, by_parts, first_part, usual, city);
 }
 
 }  // namespace manzana
