@@ -33,7 +33,7 @@ class TrafficBuilder {
   }
 
   /// Streets whose lanes lie on others', those that no slot can be found for, and those where cars touch all the same,
-  /// are given up, round by round, until nothing is in the way. Ends, because every second round gives up a street.
+  /// are given up, round by round, until nothing is in the way. Ends, because after kPatience rounds each gives one up.
   TrafficPlan run() {
     do plan();
     while (give_up_overlaps() || mend_slots() || give_up_meetings());

@@ -15,8 +15,9 @@ struct TrafficOptions {
 };
 
 /// Edges that carry traffic get a half-street each way (one-way streets: one), as far as closed circuits can be made of
-/// them; at each junction the pairing prefers going straight on. Every way over a junction has a slot in the junction's
-/// cycle that no crossing way shares, and profiles are timed so that cars come in their slots: cars never meet.
+/// them; at each junction the pairing prefers going straight on. Every way over a junction has a slot in a cycle of all
+/// junctions that no crossing way shares, and profiles are timed so that cars come in their slots. Cars never meet:
+/// that is proved for one cycle with a car at every place, and streets where it does not hold are left without traffic.
 /// `half_street_blocks`: 2 rows an edge, along its points and against them (BlockPlan::half_streets); `blocks`: how
 /// many. At most `cars` cars, and no more than fit.
 Traffic build_traffic(const LocalFrame& frame, const StreetGraph& graph,

@@ -28,8 +28,7 @@ double lane_time(const LaneProfile& profile, double cruise);
 /// The cruise speed, at least `slowest`, that takes `seconds`.
 double cruise_for(const LaneProfile& profile, double seconds, double slowest);
 
-/// The pieces of a lane at that cruise speed, then of a way of `way_length` at `way_speed`. Lengths are stretched to
-/// `lane_length`: the lane's own with the ups and downs.
+/// The pieces of a lane at that cruise speed, then of the way over the junction at `way_speed`. Along the plan.
 void append_pieces(std::vector<MotionPiece>& pieces, const LaneProfile& profile, double cruise, double way_speed);
 
 }  // namespace manzana
