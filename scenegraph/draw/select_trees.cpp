@@ -10,7 +10,7 @@ namespace {
 // The crown's ball: about the middle of the tree, round all of it.
 std::size_t level_of(const TreeInstance& tree, const Rows& block, double focal_px, const foliage::PlantModel& model) {
   const float half = tree.height_m / 2;
-  const double radius = std::hypot(half, tree.crown_radius_m);
+  const auto radius = static_cast<double>(std::hypot(half, tree.crown_radius_m));
   const Vec3 middle = placed(block, tree.position + Vec3(0, 0, half));
   const double distance = static_cast<double>(glm::length(middle));
   return foliage::select_level(model, culling::projected_radius(radius, distance, focal_px));
