@@ -137,7 +137,7 @@ void overview(Keys& keys, const Obstacles& obstacles, const Survey& survey) {
   const double radius = std::min(survey.radius, kWidest);
   const Vec2d middle = survey.radius > kWidest ? survey.heart : survey.center;
   const Vec2d back = direction(middle, Vec2d(keys.last().eye));
-  const Vec3d eye = at_height(middle + back * radius * 1.5, radius * 0.85 + 30);
+  const Vec3d eye = at_height(middle + back * radius * 1.2, radius * 0.6 + 30);
   const Vec3d look = at_height(middle, 0);
   const Vec3d from = keys.last().eye;
   const double height = std::max(from.z, obstacles.highest_roof(Vec2d(from), Vec2d(eye), 40) + 12);

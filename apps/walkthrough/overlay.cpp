@@ -75,7 +75,9 @@ void draw_layers(draw::Layers& layers) {
 void draw_light(PanelState& panel, draw::DrawOptions& options) {
   bool moved = ImGui::SliderFloat("sun from", &panel.sun_azimuth_deg, 0, 360, "%.0f deg");
   moved |= ImGui::SliderFloat("sun height", &panel.sun_elevation_deg, 2, 90, "%.0f deg");
-  if (moved) options.sun = sun_direction(panel.sun_azimuth_deg, panel.sun_elevation_deg);
+  if (moved)
+    options.sun =
+        sun_direction(static_cast<double>(panel.sun_azimuth_deg), static_cast<double>(panel.sun_elevation_deg));
   auto fog = static_cast<float>(options.fog_distance_m);
   if (ImGui::SliderFloat("fog at", &fog, 100, 50000, "%.0f m", ImGuiSliderFlags_Logarithmic))
     options.fog_distance_m = static_cast<double>(fog);

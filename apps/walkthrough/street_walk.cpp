@@ -76,7 +76,8 @@ StreetSearch::StreetSearch(const Traffic& traffic, const Vec2d& place) : traffic
     if (glm::distance(line.begin(s), start_) <= kJunctionReach) reach(s, line.cost(s), kNone);
   });
   while (!todo.empty()) {
-    const auto [cost, state] = todo.top();
+    const double cost = todo.top().first;
+    const std::uint32_t state = todo.top().second;
     todo.pop();
     if (cost > cost_[state]) continue;
     const Vec2d end = line.end(state), heading = -line.heading(state ^ 1U);

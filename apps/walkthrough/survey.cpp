@@ -144,8 +144,10 @@ std::vector<Vec2d> center_line(const std::vector<Weighted>& water) {
   return line;
 }
 
-std::vector<Vec2d> find_river(const Scene& scene) {
+/// The part within the city: beyond it a river has nothing on its banks.
+std::vector<Vec2d> find_river(const Scene& scene, const Survey& survey) {
   std::vector<Vec2d> line = center_line(largest_water(water_pieces(scene)));
+  std::erase_if(line, [&](const Vec2d& p) { return glm::distance(p, survey.center) > survey.radius * 1.1; });
   if (line.size() < 3 || glm::distance(line.front(), line.back()) < kShortestRiver) line.clear();
   return line;
 }
@@ -176,7 +178,7 @@ Survey survey_city(const Scene& scene) {
   constexpr double kFewestTrees = 30;
   const auto wood = heaviest(trees, [](const Vec2d&) { return 1.0; });
   if (wood && wood->weight >= kFewestTrees) survey.wood = wood->plan;
-  survey.river = find_river(scene);
+  survey.river = find_river(scene, survey);
   return survey;
 }
 
