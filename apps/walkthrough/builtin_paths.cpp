@@ -83,7 +83,10 @@ std::vector<Vec3d> way_in(const Scene& scene, const Obstacles& obstacles, const 
     if (buried < least_buried) least_buried = buried, best = std::move(feet);
     if (least_buried <= 0) break;
   }
-  return resample(best, kStep);
+  const auto outer = resample(std::span(best).first(2), kStep);  // the streets' part has its steps already
+  best.erase(best.begin(), best.begin() + 2);
+  best.insert(best.begin(), outer.begin(), outer.end());
+  return best;
 }
 
 /// Where a flight from `from` comes down: a street some way off that no building hides.

@@ -199,6 +199,32 @@ std::vector<Vec3d> round_corners(const Obstacles& obstacles, const std::vector<V
   return out;
 }
 
+/// The nearest clear place beside a point of a way that leads to `along`; the point itself when there is none.
+Vec3d push_aside(const Obstacles& obstacles, const Vec3d& feet, const Vec3d& along) {
+  const double length = std::hypot(along.x, along.y);
+  if (!(length > 0) || obstacles.clear(feet + Vec3d(0, 0, kEye), kMargin)) return feet;
+  const Vec3d across = Vec3d(along.y, -along.x, 0) / length;
+  for (double by = 0.5; by <= 8; by += 0.5)
+    for (const double side : {-by, by})
+      if (obstacles.clear(feet + across * side + Vec3d(0, 0, kEye), kMargin)) return feet + across * side;
+  return feet;
+}
+
+/// Ways across corners, between streets, may still cut a wall: their points and middles are pushed off it.
+std::vector<Vec3d> push_off_walls(const Obstacles& obstacles, const std::vector<Vec3d>& line) {
+  std::vector<Vec3d> out;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const Vec3d along = line[std::min(i + 1, line.size() - 1)] - line[i > 0 ? i - 1 : 0];
+    const Vec3d here = push_aside(obstacles, line[i], along);
+    if (!out.empty()) {
+      const Vec3d middle = (out.back() + here) / 2.0;
+      if (!obstacles.clear(middle + Vec3d(0, 0, kEye), kMargin)) out.push_back(push_aside(obstacles, middle, along));
+    }
+    out.push_back(here);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<Vec3d> walk_along(const Scene& scene, const Obstacles& obstacles, const StreetRoute& route, double step_m) {
@@ -207,7 +233,7 @@ std::vector<Vec3d> walk_along(const Scene& scene, const Obstacles& obstacles, co
   for (const StreetStep& step : route) append_step(scene, obstacles, step, side, feet);
   feet = resample(feet, step_m);
   for (int pass = 0; pass < 3; ++pass) feet = round_corners(obstacles, feet);
-  return feet;
+  return push_off_walls(obstacles, feet);
 }
 
 }  // namespace manzana::walkthrough
