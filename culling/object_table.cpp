@@ -20,7 +20,7 @@ bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && 
 /// One plane over the whole table: the columns of the corners farthest along its normal, and the plane pushed out by
 /// the largest margin that any of its objects can need.
 struct PlaneColumns {
-  const float *x, *y, *z;
+  std::uint32_t x, y, z;
   float a, b, c, d;
 };
 
@@ -33,13 +33,7 @@ Test make_test(const ObjectTable& t, const Frustum& frustum) {
     const Vec3 sizes = glm::abs(n) * t.reach;
     // Twice the margin of overlap.h: the sum with d rounds once more here.
     const float margin = 2 * kMargin * (sizes.x + sizes.y + sizes.z + std::abs(d)) + frustum.slack[k];
-    test[k] = {(n.x >= 0 ? t.max_x : t.min_x).data(),
-               (n.y >= 0 ? t.max_y : t.min_y).data(),
-               (n.z >= 0 ? t.max_z : t.min_z).data(),
-               n.x,
-               n.y,
-               n.z,
-               d + margin};
+    test[k] = {n.x >= 0 ? 3U : 0U, n.y >= 0 ? 4U : 1U, n.z >= 0 ? 5U : 2U, n.x, n.y, n.z, d + margin};
   }
   return test;
 }
@@ -50,27 +44,20 @@ struct Doubtful {
   unsigned planes;
 };
 
-/// Bit j: object i + j is not outside, for the eight objects from i on.
-unsigned kept(const Test& test, unsigned planes, std::size_t i) {
+/// Bit j: the packet's object j is not outside.
+unsigned kept(const Test& test, unsigned planes, const ObjectPacket& packet) {
   Float4 left = splat(std::numeric_limits<float>::infinity());
   Float4 right = left;
   for (; planes != 0; planes &= planes - 1) {
     const PlaneColumns& p = test[static_cast<std::size_t>(std::countr_zero(planes))];
+    const float *x = packet.columns[p.x].data(), *y = packet.columns[p.y].data(), *z = packet.columns[p.z].data();
     const Float4 a = splat(p.a), b = splat(p.b), c = splat(p.c), d = splat(p.d);
     // A NaN leaves the object in: minimum() then answers its second operand.
-    left = minimum(a * load(p.x + i) + b * load(p.y + i) + c * load(p.z + i) + d, left);
-    right = minimum(a * load(p.x + i + 4) + b * load(p.y + i + 4) + c * load(p.z + i + 4) + d, right);
+    left = minimum(a * load(x) + b * load(y) + c * load(z) + d, left);
+    right = minimum(a * load(x + 4) + b * load(y + 4) + c * load(z + 4) + d, right);
   }
   const Float4 zero = splat(0);
   return ~(less(left, zero) | less(right, zero) << 4) & 0xFFU;
-}
-
-bool kept_alone(const Test& test, unsigned planes, std::size_t i) {
-  for (; planes != 0; planes &= planes - 1) {
-    const PlaneColumns& p = test[static_cast<std::size_t>(std::countr_zero(planes))];
-    if (p.a * p.x[i] + p.b * p.y[i] + p.c * p.z[i] + p.d < 0) return false;
-  }
-  return true;
 }
 
 void append(std::vector<ObjectRun>& runs, std::uint32_t first, std::uint32_t last) {
@@ -90,17 +77,18 @@ void append_bits(std::vector<ObjectRun>& runs, std::uint32_t first, unsigned bit
   }
 }
 
-void test_objects(const Test& test, const Doubtful& objects, std::vector<ObjectRun>& out) {
-  std::uint32_t i = objects.first;
-  for (; i + kPacket <= objects.last; i += kPacket) append_bits(out, i, kept(test, objects.planes, i));
-  if (i == objects.last) return;
-  if (objects.last >= kPacket) {  // a whole packet that ends with the last object, less what was tested already
-    const std::uint32_t start = objects.last - kPacket;
-    append_bits(out, i, kept(test, objects.planes, start) >> (i - start));
-  } else {
-    for (; i < objects.last; ++i)
-      if (kept_alone(test, objects.planes, i)) append(out, i, i + 1);
-  }
+/// Lanes of packet p that hold objects of [first, last).
+unsigned lanes(std::uint32_t p, std::uint32_t first, std::uint32_t last) {
+  const std::uint32_t start = p * kPacket;
+  const unsigned from = first > start ? 0xFFU << (first - start) : 0xFFU;
+  const unsigned to = last < start + kPacket ? (1U << (last - start)) - 1U : 0xFFU;
+  return from & to;
+}
+
+void test_objects(const ObjectTable& t, const Test& test, const Doubtful& objects, std::vector<ObjectRun>& out) {
+  const std::uint32_t end = (objects.last + kPacket - 1) / kPacket;
+  for (std::uint32_t p = objects.first / kPacket; p < end; ++p)
+    append_bits(out, p * kPacket, kept(test, objects.planes, t.packets[p]) & lanes(p, objects.first, objects.last));
 }
 
 }  // namespace
@@ -110,21 +98,32 @@ ObjectTable build_object_table(const Vec3d& origin, std::span<const BoxD> boxes,
   ObjectTable t;
   t.first = std::move(first);
   t.reach = Vec3(0);
-  for (std::vector<float>* column : {&t.min_x, &t.min_y, &t.min_z, &t.max_x, &t.max_y, &t.max_z})
-    column->reserve(boxes.size());
+  t.packets.resize((boxes.size() + kPacket - 1) / kPacket);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Box box = narrow(boxes[i], origin);
     if (box.empty() || !finite(box.min) || !finite(box.max))
       throw std::invalid_argument("object " + std::to_string(i) + ": its box is empty or not finite");
-    t.min_x.push_back(box.min.x);
-    t.min_y.push_back(box.min.y);
-    t.min_z.push_back(box.min.z);
-    t.max_x.push_back(box.max.x);
-    t.max_y.push_back(box.max.y);
-    t.max_z.push_back(box.max.z);
+    for (int axis = 0; axis < 3; ++axis) {
+      auto& columns = t.packets[i / kPacket].columns;
+      columns[static_cast<std::size_t>(axis)][i % kPacket] = box.min[axis];
+      columns[static_cast<std::size_t>(axis) + 3][i % kPacket] = box.max[axis];
+    }
     t.reach = glm::max(t.reach, glm::max(glm::abs(box.min), glm::abs(box.max)));
   }
   return t;
+}
+
+Box ObjectTable::box(std::uint32_t i) const {
+  const auto& c = packets[i / kPacket].columns;
+  const std::uint32_t lane = i % kPacket;
+  return {{c[0][lane], c[1][lane], c[2][lane]}, {c[3][lane], c[4][lane], c[5][lane]}};
+}
+
+void prefetch(const ObjectTable& table, const LeafRun& run) {
+  const std::uint32_t first = table.first[run.first], last = table.first[run.last];
+  const auto* begin = reinterpret_cast<const char*>(table.packets.data() + first / kPacket);
+  const auto* end = reinterpret_cast<const char*>(table.packets.data() + (last + kPacket - 1) / kPacket);
+  for (; begin < end; begin += 64) __builtin_prefetch(begin);
 }
 
 void reserve_runs(std::vector<ObjectRun>& runs, const ObjectTable& table) { runs.reserve(table.size()); }
@@ -137,7 +136,7 @@ void cull_objects(const ObjectTable& table, std::span<const LeafRun> blocks, con
   for (const LeafRun& run : blocks) {
     const std::uint32_t first = table.first[run.first], last = table.first[run.last];
     if (run.where == Overlap::crosses)
-      test_objects(test, {first, last, run.planes & all}, out);
+      test_objects(table, test, {first, last, run.planes & all}, out);
     else
       append(out, first, last);
   }

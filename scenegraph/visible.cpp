@@ -28,7 +28,13 @@ void find_visible(const Scene& scene, const culling::View& view, Structure struc
     take_all(scene.trees.table, sets.trees);
     return;
   }
-  sets.stats = cull(scene.tree, sets.frustum, [&](const LeafRun& run) { sets.blocks.push_back(run); });
+  sets.stats = cull(scene.tree, sets.frustum, [&](const LeafRun& run) {
+    sets.blocks.push_back(run);
+    if (run.where == Overlap::inside) return;
+    prefetch(scene.buildings.table, run);
+    prefetch(scene.surfaces.table, run);
+    prefetch(scene.trees.table, run);
+  });
   cull_objects(scene.buildings.table, sets.blocks, sets.frustum, sets.buildings);
   cull_objects(scene.surfaces.table, sets.blocks, sets.frustum, sets.surfaces);
   cull_objects(scene.trees.table, sets.blocks, sets.frustum, sets.trees);

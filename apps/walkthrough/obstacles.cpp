@@ -30,7 +30,7 @@ Obstacles::Obstacles(const Scene& scene) : scene_(scene), buildings_(kBuildingCe
   const culling::ObjectTable& t = scene.buildings.table;
   const Vec2d origin(scene.tree.origin);
   for (std::uint32_t i = 0; i < t.size(); ++i)
-    buildings_.add(origin + Vec2d(t.min_x[i], t.min_y[i]), origin + Vec2d(t.max_x[i], t.max_y[i]), i);
+    buildings_.add(origin + Vec2d(t.box(i).min), origin + Vec2d(t.box(i).max), i);
   buildings_.finish();
   for (std::uint32_t i = 0; i < scene.trees.instances.size(); ++i) {
     const TreeInstance& tree = scene.trees.instances[i];
@@ -59,12 +59,9 @@ bool Obstacles::inside_building(const Vec3d& point) const {
   bool inside = false;
   std::uint32_t last = ~0U;
   buildings_.visit(Vec2d(local), 0, [&](std::uint32_t i) {
-    const auto within = [](double v, float low, float high) {
-      return v >= static_cast<double>(low) && v <= static_cast<double>(high);
-    };
-    if (inside || i == last || !within(p.x, t.min_x[i], t.max_x[i]) || !within(p.y, t.min_y[i], t.max_y[i]) ||
-        !within(p.z, t.min_z[i], t.max_z[i]))
-      return;
+    const culling::Box box = t.box(i);
+    const auto in_box = [&] { return glm::clamp(p, Vec3d(box.min), Vec3d(box.max)) == p; };
+    if (inside || i == last || !in_box()) return;
     last = i;
     inside = covers(i, local);
   });
@@ -103,8 +100,8 @@ double Obstacles::highest_roof(const Vec2d& a, const Vec2d& b, double radius) co
   const culling::ObjectTable& t = scene_.buildings.table;
   double highest = 0;
   for (std::uint32_t i = 0; i < t.size(); ++i) {
-    const Vec3d top =
-        scene_.tree.origin + Vec3d((t.min_x[i] + t.max_x[i]) / 2, (t.min_y[i] + t.max_y[i]) / 2, t.max_z[i]);
+    const culling::Box box = t.box(i);
+    const Vec3d top = scene_.tree.origin + Vec3d(Vec2d(box.min + box.max) / 2.0, box.max.z);
     if (distance_to_segment(Vec2d(top), a, b) < radius) highest = std::max(highest, to_ground(scene_.frame, top).z);
   }
   return highest;

@@ -20,7 +20,8 @@ struct Weighted {
 };
 
 Weighted middle(const Scene& scene, const culling::ObjectTable& t, std::uint32_t i) {
-  const Vec2d min(t.min_x[i], t.min_y[i]), max(t.max_x[i], t.max_y[i]);
+  const culling::Box box = t.box(i);
+  const Vec2d min(box.min), max(box.max);
   return {Vec2d(scene.tree.origin) + (min + max) / 2.0, (max.x - min.x) * (max.y - min.y)};
 }
 
@@ -29,7 +30,7 @@ std::vector<Weighted> building_volumes(const Scene& scene) {
   std::vector<Weighted> out;
   for (std::uint32_t i = 0; i < t.size(); ++i) {
     out.push_back(middle(scene, t, i));
-    out.back().weight *= static_cast<double>(t.max_z[i] - t.min_z[i]);
+    out.back().weight *= static_cast<double>(t.box(i).max.z - t.box(i).min.z);
   }
   return out;
 }

@@ -148,8 +148,8 @@ TEST_CASE("obstacles: a building's box corner is not its inside, its middle is; 
   const culling::ObjectTable& t = scene.buildings.table;
   int middles = 0;
   for (std::uint32_t i = 0; i < t.size(); i += 50) {
-    const Vec3d min = scene.tree.origin + Vec3d(t.min_x[i], t.min_y[i], t.min_z[i]);
-    const Vec3d max = scene.tree.origin + Vec3d(t.max_x[i], t.max_y[i], t.max_z[i]);
+    const Vec3d min = scene.tree.origin + Vec3d(t.box(i).min);
+    const Vec3d max = scene.tree.origin + Vec3d(t.box(i).max);
     const Vec3d middle = to_ground(scene.frame, Vec3d(Vec2d(min + max) / 2.0, min.z + 1));
     middles += obstacles.inside_building(middle) ? 1 : 0;
     CHECK_FALSE(obstacles.inside_building(middle + Vec3d(0, 0, max.z - min.z + 1)));
