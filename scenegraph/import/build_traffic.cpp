@@ -4,9 +4,9 @@
 #include <cassert>
 #include <cmath>
 
+#include "culling/hash.h"
 #include "scenegraph/import/traffic_check.h"
 #include "scenegraph/import/traffic_circuits.h"
-#include "scenegraph/import/traffic_hash.h"
 #include "scenegraph/import/traffic_signals.h"
 #include "scenegraph/import/traffic_write.h"
 

@@ -17,7 +17,6 @@ constexpr int kRiverRow = 5;              // the cells that the river takes
 constexpr int kBridgeEvery = 3;
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kDiagonalColumn = 2;  // the avenue runs through the corners (k + 2, k)
-constexpr double kPavement = 3.0;   // between the carriageway and the fronts, metres
 
 struct CellRange {
   int i0, j0, i1, j1;
@@ -233,7 +232,7 @@ class Town {
   }
 
   void block(int i, int j, const std::vector<Vec2d>& corners, std::vector<double> widths) {
-    for (double& w : widths) w = w / 2 + kPavement;
+    for (double& w : widths) w = front(w);
     const std::vector<Vec2d> ring = inset_ring(corners, widths);
     if (ring.size() < 3) return;
     Vec2d middle{0, 0};
@@ -242,6 +241,11 @@ class Town {
     style.seed =
         hash_bits(seed_, static_cast<std::uint64_t>(city_.buildings.size() * 64 + static_cast<std::size_t>(i + j)));
     fill_block(ring, style, city_);
+  }
+
+  // From the middle of a street to the fronts along it: they stand where its pavement ends.
+  static double front(double width) {
+    return width / 2 + (width >= kAvenue.width ? 2.4 : width >= kQuay.width ? 2.1 : 1.7);
   }
 
   static LotStyle style_at(double to_centre) {

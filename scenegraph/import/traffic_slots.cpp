@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenegraph/import/traffic_hash.h"
+#include "culling/hash.h"
 #include "scenegraph/import/traffic_signals.h"
 
 namespace manzana {
@@ -137,7 +137,7 @@ class SlotChooser {
     if (before >= 0 && group.next != g)
       add_delays(cost, group, [&](int waited) { return before + group.lead + waited; });
     if (after >= 0 && group.next != g) add_delays(cost, next, [&](int waited) { return after - next.lead - waited; });
-    for (int k = 0; noise > 0 && k < kSlots; ++k) cost[k] += noise * float(unit_hash(seed_, ++drawn_));
+    for (int k = 0; noise > 0 && k < kSlots; ++k) cost[k] += noise * float(hash_unit(seed_, ++drawn_));
     slot_[g] = static_cast<int>(std::min_element(cost, cost + kSlots) - cost);
   }
 
@@ -156,7 +156,7 @@ class SlotChooser {
     choose(g, noise);
     const std::uint32_t count = first_[g + 1] - first_[g];
     if (count == 0 || good(g)) return;
-    choose(against_[first_[g] + counter_hash(seed_, ++drawn_) % count].other, noise);
+    choose(against_[first_[g] + hash_bits(seed_, ++drawn_) % count].other, noise);
     choose(g, 0);
   }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenegraph/import/traffic_hash.h"
+#include "culling/hash.h"
 
 namespace manzana {
 namespace {
@@ -129,7 +129,7 @@ class Writer {
     std::vector<Place> places;
     for (std::uint32_t c = 0; c < out_.circuits.size(); ++c)
       for (std::uint32_t k = 0; carries_cars(c) && k < cycles_[c]; ++k)
-        places.push_back({counter_hash(seed, places.size()), c, k});
+        places.push_back({hash_bits(seed, places.size()), c, k});
     const std::size_t count = std::min<std::size_t>(plan_.cars, places.size());
     std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count), places.end(),
                      [](const Place& a, const Place& b) { return a.order < b.order; });

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
-#include "scenegraph/import/traffic_hash.h"
+#include "culling/hash.h"
 #include "towns.h"
 
 using namespace manzana;
@@ -43,27 +43,27 @@ TEST_CASE("lazy is eager: every block, 10 000 cars, running and teleporting thro
   for (const std::uint64_t tick : {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{1} << 40, ~std::uint64_t{0}})
     check_blocks(traffic, tick);
   for (std::uint64_t frame = 0; frame < 300; ++frame) check_blocks(traffic, frame * 50);
-  for (std::uint64_t i = 0; i < 300; ++i) check_blocks(traffic, counter_hash(21, i) >> (i % 50));
+  for (std::uint64_t i = 0; i < 300; ++i) check_blocks(traffic, hash_bits(21, i) >> (i % 50));
 }
 
 TEST_CASE("lazy is eager on wild plans and when a circuit is one half-street") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Traffic traffic = traffic_of(wild_town(40, 600, seed), {.cars = 100000, .seed = seed});
-    for (std::uint64_t i = 0; i < 360; ++i) check_blocks(traffic, i % 2 ? i * 50 : counter_hash(seed, i));
+    for (std::uint64_t i = 0; i < 360; ++i) check_blocks(traffic, i % 2 ? i * 50 : hash_bits(seed, i));
   }
   TownMaker maker;
   maker.street({{0, 0, 0}, {100, 0, 0}, {100, 100, 0}, {0, 100, 0}, {0, 0, 0}}, true);
   const Traffic ring = traffic_of(maker.done());
   REQUIRE(ring.halves.size() == 1);
   REQUIRE(ring.cars() > 5);
-  for (std::uint64_t i = 0; i < 360; ++i) check_blocks(ring, counter_hash(3, i));
+  for (std::uint64_t i = 0; i < 360; ++i) check_blocks(ring, hash_bits(3, i));
 }
 
 TEST_CASE("cars of a block stay within its half-streets' bounds") {
   const Traffic traffic = traffic_of(grid_town(6, 6, 90, 12, 3, 5));
   for (std::uint64_t i = 0; i < 200; ++i)
     for (std::uint32_t car = 0; car < traffic.cars(); ++car) {
-      const CarState state = car_at(traffic, car, counter_hash(31, i));
+      const CarState state = car_at(traffic, car, hash_bits(31, i));
       const culling::BoxD box = half_street_bounds(traffic, state.half);
       const Vec3d nose = state.position + state.forward * 2.3;
       for (const Vec3d& p : {state.position, nose})

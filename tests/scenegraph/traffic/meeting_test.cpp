@@ -5,7 +5,7 @@
 #include <iostream>
 #include <unordered_map>
 
-#include "scenegraph/import/traffic_hash.h"
+#include "culling/hash.h"
 #include "towns.h"
 
 using namespace manzana;
@@ -60,7 +60,7 @@ void check_never_touch(const Traffic& traffic, int times, std::uint64_t seed) {
   for (int i = 0; i < times; ++i) {
     INFO("tick " << tick << " seed " << seed);
     REQUIRE(touching(all_cars(traffic, tick)) == 0);
-    tick = i % 40 == 39 ? counter_hash(seed, std::uint64_t(i)) >> 20 : tick + 577;
+    tick = i % 40 == 39 ? hash_bits(seed, std::uint64_t(i)) >> 20 : tick + 577;
   }
 }
 

@@ -5,7 +5,7 @@
 #include <ctime>
 #include <iostream>
 
-#include "scenegraph/import/traffic_hash.h"
+#include "culling/hash.h"
 #include "towns.h"
 
 using namespace manzana;
@@ -60,7 +60,7 @@ TEST_CASE("cars are where long double says, up to 1000 h") {
   double worst = 0;
   for (const std::uint64_t hours : {0u, 1u, 10u, 100u, 1000u})
     for (std::uint32_t car = 0; car < traffic.cars(); ++car) {
-      const std::uint64_t tick = hours * kHour + counter_hash(7, car) % kHour;
+      const std::uint64_t tick = hours * kHour + hash_bits(7, car) % kHour;
       const CarState state = car_at(traffic, car, tick);
       worst = std::max(worst, glm::distance(state.position, position(traffic, place_by_fmod(traffic, car, tick))));
     }

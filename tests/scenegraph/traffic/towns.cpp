@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenegraph/import/traffic_hash.h"
+#include "culling/hash.h"
 
 using namespace manzana;
 
@@ -42,7 +42,7 @@ Town TownMaker::done(std::uint32_t blocks) {
 Town grid_town(int nx, int ny, double step, double shake, int one_way, std::uint64_t seed) {
   const auto at = [&](int x, int y) {
     const auto id = std::uint64_t(x * 10007 + y);
-    const double dx = unit_hash(seed, 2 * id) - 0.5, dy = unit_hash(seed, 2 * id + 1) - 0.5;
+    const double dx = hash_unit(seed, 2 * id) - 0.5, dy = hash_unit(seed, 2 * id + 1) - 0.5;
     return Vec3d((x - nx / 2) * step + shake * 2 * dx, (y - ny / 2) * step + shake * 2 * dy, 0);
   };
   const auto is_one_way = [&](int line) { return one_way > 0 && line % one_way == 1; };
@@ -64,7 +64,7 @@ Town wild_town(int junctions, double size, std::uint64_t seed) {
   TownMaker maker;
   std::vector<Vec3d> at;
   std::uint64_t n = 0;
-  const auto unit = [&] { return unit_hash(seed, ++n); };
+  const auto unit = [&] { return hash_unit(seed, ++n); };
   for (int j = 0; j < junctions; ++j) at.push_back({size * unit(), size * unit(), 0});
   for (std::size_t j = 0; j < at.size(); ++j) {
     std::vector<Vec3d> near = at;
