@@ -9,9 +9,8 @@
 ///             to 3, under 3000 m2 the city's usual (the median of those that are told, if they are at least 20, else
 ///             3), plus or minus 1; halls beyond 2.
 ///   eaves     0.5 m + 3 m a level
-///   roof      gabled (1 in 4 hipped) for small houses: footprint under 250 m2, at most 6 corners, at most 3 levels and
-///   a
-///             kind that people live in or none; pyramidal over towers of churches; flat otherwise
+///   roof      gabled (1 in 4 hipped) for small houses: footprint under 250 m2, at most 6 corners, at most 3 levels,
+///             of a kind that people live in or of none; gabled for churches and farms; flat otherwise
 ///   its height  by the width w of the rectangle of like area and perimeter: gabled, hipped 0.45 w; pyramidal 0.6 w;
 ///             skillion 0.2 w; dome 0.5 w; within 1 to 6 m (pyramidal, dome: 12 m), and at most half the building
 ///   colours   walls from kWallPalette; flat roofs from kFlatRoofPalette, the others from kPitchedRoofPalette
