@@ -17,9 +17,9 @@ void read_trees(const OsmFile& osm, const OsmShapes& shapes, CityFeatures& city)
 inline constexpr double kTreeRowStep = 8;  // metres
 
 /// Greens, woods, water (areas, and lines made as wide as they are), sand, farmland, paved squares. Densities of trees
-/// are lowered where they would give more than kMostScattered trees in all.
+/// are lowered, in the largest first, where they would give more than kMostScattered trees in all.
 void read_grounds(const OsmFile& osm, const OsmShapes& shapes, CityFeatures& city);
-inline constexpr double kMostScattered = 60000;
+inline constexpr double kMostScattered = 90000;
 
 /// From leaf_type, genus, species, taxon, leaf_cycle; broadleaf where they say nothing.
 PlantKind plant_kind(const osmium::TagList& tags);

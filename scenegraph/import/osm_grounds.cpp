@@ -136,14 +136,32 @@ void append_stream(const Geos& geos, const osmium::Way& way, const OsmShapes& sh
   for (const Polygon& shape : beds) city.areas.push_back({where, shape, water, 0, kLeafy, false});
 }
 
-/// Square metres to hectares: 1e-4.
+/// By density alone; square metres to hectares: 1e-4.
+double trees_of(const AreaFeature& area) { return area.trees_per_ha * area_of(area.shape) * 1e-4; }
+
+/// The number that each may hold at most, so that all together hold `most`: small ones keep all of theirs.
+double fair_share(std::vector<double> numbers, double most) {
+  std::ranges::sort(numbers);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const double share = most / static_cast<double>(numbers.size() - i);
+    if (numbers[i] > share) return share;
+    most -= numbers[i];
+  }
+  return numbers.empty() ? 0 : numbers.back();
+}
+
+/// Only the largest woods are thinned: groves and parks, which one walks through, stay as they are.
 void limit_trees(CityFeatures& city) {
-  double trees = 0;
-  for (const AreaFeature& area : city.areas) trees += area.trees_per_ha * area_of(area.shape) * 1e-4;
-  if (trees <= kMostScattered) return;
-  for (AreaFeature& area : city.areas) area.trees_per_ha *= kMostScattered / trees;
-  city.issues.push_back({"woods and greens", "would hold " + std::to_string(std::llround(trees)) +
-                                                 " trees: thinned to " + std::to_string(std::llround(kMostScattered))});
+  std::vector<double> numbers;
+  double all = 0;
+  for (const AreaFeature& area : city.areas) all += numbers.emplace_back(trees_of(area));
+  if (all <= kMostScattered) return;
+  const double share = fair_share(numbers, kMostScattered);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (numbers[i] > share) city.areas[i].trees_per_ha *= share / numbers[i];
+  city.issues.push_back({"woods and greens", "would hold " + std::to_string(std::llround(all)) +
+                                                 " trees: those with over " + std::to_string(std::llround(share)) +
+                                                 " thinned to that"});
 }
 
 }  // namespace

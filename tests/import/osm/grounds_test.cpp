@@ -119,12 +119,16 @@ TEST_CASE("a wood with a lake in it; its trees are kept to what can be drawn") {
   osm.way(1, osm.ring({{0, 0}, {3000, 0}, {3000, 3000}, {0, 3000}}), {});
   osm.way(2, osm.ring({{1000, 1000}, {2000, 1000}, {2000, 2000}, {1000, 2000}}), {{"natural", "water"}});
   osm.relation(7, {{"way", 1, "outer"}, {"way", 2, "inner"}}, {{"type", "multipolygon"}, {"landuse", "forest"}});
+  osm.way(3, osm.ring({{3100, 0}, {3200, 0}, {3200, 100}, {3100, 100}}), {{"landuse", "forest"}});
   const CityFeatures city = osm.read();
-  REQUIRE(city.areas.size() == 2);
+  REQUIRE(city.areas.size() == 3);
   double trees = 0;
   for (const AreaFeature& area : city.areas) trees += area.trees_per_ha * area_of(area.shape) / 10000;
-  CHECK(trees == Approx(60000));
+  CHECK(trees == Approx(kMostScattered));
   CHECK(listed(city, "woods", "thinned"));
+  Written grove;
+  grove.way(3, grove.ring({{0, 0}, {100, 0}, {100, 100}, {0, 100}}), {{"landuse", "forest"}});
+  CHECK(from(city.areas, "way 3").at(0).trees_per_ha == grove.read().areas.at(0).trees_per_ha);  // groves keep theirs
   CHECK(from(city.areas, "way 2").size() == 1);
 }
 
