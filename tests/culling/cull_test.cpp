@@ -64,7 +64,7 @@ TEST_CASE("the tree answers as a flat list of its leaves") {
   }
 }
 
-TEST_CASE("everything seen: one run, one test; nothing seen: none") {
+TEST_CASE("everything seen: one run, one test, nothing seen: none") {
   const Scene s = make_scene(make_city(10, 4, 7));
   Answer answer(s);
   ask_blocks(s, frustum_of(s, look({0, 0, 1e5}, {0, 0, -1}, {0, 1, 0}, 1, 1)), answer);

@@ -59,7 +59,7 @@ TEST_CASE("packets answer as single boxes do, for any number of objects and bloc
   CHECK(hidden > 100);
 }
 
-TEST_CASE("objects of inside blocks are taken untested, of unmentioned ones not at all; neighbours merge") {
+TEST_CASE("objects of inside blocks are taken untested, of unmentioned ones not at all, neighbours merge") {
   Random random(72);
   const auto boxes = boxes_round(Vec3d(0, -5000, 0), 30, random);  // behind the camera, so any test would drop them
   const ObjectTable table = build_object_table(Vec3d(0), boxes, {0, 10, 10, 20, 30});

@@ -38,7 +38,7 @@ TEST_CASE("caption: letters stand in the lower right corner and nowhere else") {
   CHECK(picture.rgb[0] == 100);
 }
 
-TEST_CASE("caption: larger pictures have larger letters; other texts look different") {
+TEST_CASE("caption: larger pictures have larger letters, other texts look different") {
   Picture small = grey(1280, 720), large = grey(2560, 1440), other = grey(1280, 720);
   draw_caption(small, "(c) A");
   draw_caption(large, "(c) A");
@@ -47,7 +47,7 @@ TEST_CASE("caption: larger pictures have larger letters; other texts look differ
   CHECK(small.rgb != other.rgb);
 }
 
-TEST_CASE("caption: no text, no change; a picture too small for the text is not overrun") {
+TEST_CASE("caption: no text, no change, a picture too small for the text is not overrun") {
   Picture picture = grey(64, 64);
   draw_caption(picture, "");
   CHECK(std::all_of(picture.rgb.begin(), picture.rgb.end(), [](unsigned char c) { return c == 100; }));

@@ -66,7 +66,7 @@ TEST_CASE("files: what cannot be written says which file, and leaves nothing") {
   CHECK(files_in(folder.path()) == 1);
 }
 
-TEST_CASE("files: a folder is made with those above it; a file in the way is told") {
+TEST_CASE("files: a folder is made with those above it, a file in the way is told") {
   const TemporaryFolder folder;
   make_folder(folder.path() / "a" / "b" / "c");
   CHECK(std::filesystem::is_directory(folder.path() / "a" / "b" / "c"));

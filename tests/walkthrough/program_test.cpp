@@ -55,7 +55,7 @@ double contrast(const Path& png) {
 
 }  // namespace
 
-TEST_CASE("program: the town to pictures, counts and a summary; the same again for one seed, other for another") {
+TEST_CASE("program: the town to pictures, counts and a summary, the same again for one seed, other for another") {
   const TemporaryFolder folder;
   const Path a = folder.path() / "a", b = folder.path() / "b", c = folder.path() / "c";
   const Ended first = run_walkthrough(folder.path(), small_run(a, "builtin:town"));

@@ -211,7 +211,7 @@ TEST_CASE("half-streets: opposite directions lie on opposite faces, by the side 
   }
 }
 
-TEST_CASE("half-streets: a dead end's are of the face around it; a path's too") {
+TEST_CASE("half-streets: a dead end's are of the face around it, a path's too") {
   std::vector<StreetFeature> streets = test::grid(1, 1, 100);
   streets.push_back(street({{0, 0}, {50, 50}}));
   streets.push_back(street({{50, 50}, {60, 70}}, StreetClass::path));

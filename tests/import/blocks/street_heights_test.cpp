@@ -144,7 +144,7 @@ TEST_CASE("a ring of bridges over nothing ends, on the ground") {
   CHECK(heights(graph, 0).second <= 1.5);
 }
 
-TEST_CASE("a spiral ramp does not lift itself; a ramp that joins a bridge and passes under it does") {
+TEST_CASE("a spiral ramp does not lift itself, a ramp that joins a bridge and passes under it does") {
   const StreetGraph spiral = test::graph_of({bridge({{0, 0}, {50, 0}, {50, 50}, {25, 50}, {25, -50}})});
   CHECK(heights(spiral, 0).second <= 1.5);
   const StreetGraph joined =

@@ -179,7 +179,7 @@ TEST_CASE("a courtyard's walls look into the courtyard") {
   CHECK(inner == 16);
 }
 
-TEST_CASE("a raised body has a floor; its windows begin there") {
+TEST_CASE("a raised body has a floor, its windows begin there") {
   BuildingFeature b = house(rectangle(0, 0, 10, 10), RoofShape::flat, 12);
   b.min_height = 4;
   const Built built = build(b);

@@ -73,7 +73,7 @@ TEST_CASE("trees spread evenly: no quarter of a wood is thin, no row is straight
   for (const int n : quarter) CHECK(n == Approx(200).epsilon(0.15));
 }
 
-TEST_CASE("the same seed gives the same trees, in whatever order the areas come; another seed gives others") {
+TEST_CASE("the same seed gives the same trees, in whatever order the areas come, another seed gives others") {
   CityFeatures city;
   Random random{8};
   for (int i = 0; i < 12; ++i)

@@ -238,7 +238,7 @@ TEST_CASE("bridges have decks and parapets, ramps have walls down to the ground"
   CHECK(laid.area(Material::concrete) > 2 * 60 * (1.1 + 0.8));
 }
 
-TEST_CASE("squares are laid as areas; other closed streets as rings") {
+TEST_CASE("squares are laid as areas, other closed streets as rings") {
   StreetFeature square;
   square.kind = StreetClass::pedestrian;
   square.circular = true;

@@ -135,7 +135,7 @@ TEST_CASE("multipolygons: holes, several outers, rings of several ways") {
   CHECK(found[1].footprint.holes.empty());
 }
 
-TEST_CASE("old multipolygons have their tags on the outer way; new ones may repeat them there") {
+TEST_CASE("old multipolygons have their tags on the outer way, new ones may repeat them there") {
   Written osm;
   osm.way(1, osm.ring({{0, 0}, {40, 0}, {40, 40}, {0, 40}}), {{"building", "yes"}, {"height", "11"}});
   osm.way(2, osm.ring({{10, 10}, {20, 10}, {20, 20}, {10, 20}}), {});

@@ -114,7 +114,7 @@ TEST_CASE("a river is as wide as it says, and round at its ends") {
   CHECK(from(city.areas, "way 11").empty());
 }
 
-TEST_CASE("a wood with a lake in it; its trees are kept to what can be drawn") {
+TEST_CASE("a wood with a lake in it, its trees are kept to what can be drawn") {
   Written osm;
   osm.way(1, osm.ring({{0, 0}, {3000, 0}, {3000, 3000}, {0, 3000}}), {});
   osm.way(2, osm.ring({{1000, 1000}, {2000, 1000}, {2000, 2000}, {1000, 2000}}), {{"natural", "water"}});
