@@ -89,18 +89,19 @@ std::vector<Vec3d> way_in(const Scene& scene, const Obstacles& obstacles, const 
   return best;
 }
 
-/// Where a flight from `from` comes down: a street some way off that no building hides.
+/// Where a flight from `from` comes down, in a diagonal as the source has it (some 40 degrees): a street that no
+/// building hides.
 Vec2d landing(const Scene& scene, const Obstacles& obstacles, const Vec3d& from, const Vec2d& ahead) {
-  constexpr double kNearest = 150, kFarthest = 450, kBest = 300;
-  const Vec2d fallback = Vec2d(from) + ahead * kBest;
+  const double nearest = 0.8 * from.z, best_distance = 1.2 * from.z, farthest = 2.5 * from.z;
+  const Vec2d fallback = Vec2d(from) + ahead * best_distance;
   Vec2d best = fallback;
   double best_score = scene.traffic.halves.empty() ? 0 : 1e9;
   for (const HalfStreet& half : scene.traffic.halves) {
     const Vec2d place(scene.traffic.points[(half.first_point + half.last_point) / 2].position);
     const double distance = glm::distance(place, Vec2d(from));
-    if (distance < kNearest || distance > kFarthest) continue;
+    if (distance < nearest || distance > farthest) continue;
     const double turn = 1 - glm::dot(direction(Vec2d(from), place), ahead);
-    const double cheap = std::abs(distance - kBest) + 100 * turn;
+    const double cheap = std::abs(distance - best_distance) + 100 * turn;
     if (cheap >= best_score) continue;
     const double score = cheap + 100 * obstacles.buried_length(from, at_height(place, kEye));
     if (score < best_score) best_score = score, best = place;
