@@ -94,7 +94,12 @@ std::vector<Vec3d> moved_right(const std::vector<Vec3d>& line, double d) {
   return out;
 }
 
-double lane_offset(const StreetFeature& street) { return street.one_way ? 0.0 : std::max(street.width / 4, 1.3); }
+/// Metres from the street's middle to the middle of its lane at the kerb; a two-way street has two lanes at least.
+double lane_offset(const StreetFeature& street) {
+  const double lanes = std::clamp(street.lanes, street.one_way ? 1 : 2, 12);
+  const double offset = street.width / 2 * (1 - 1 / lanes);
+  return street.one_way ? offset : std::max(offset, 1.3);
+}
 
 double speed_limit(StreetClass kind) {
   switch (kind) {
