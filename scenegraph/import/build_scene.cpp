@@ -34,31 +34,33 @@ class Builder {
     make_meshes();
     const std::vector<std::uint32_t> new_of_old = make_tree();
     store(new_of_old);
+    tell(1);
     Imported result{std::move(scene_), std::move(f_.issues), report_};
     result.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
   }
 
  private:
-  void tell(std::string_view stage, double fraction) const {
-    if (progress_) progress_(stage, fraction);
+  /// `done`: about the share of the time that is over by then, for a city with woods and traffic.
+  void tell(double done) const {
+    if (progress_) progress_("building", done);
   }
 
   // Streets, scattered trees, pieces of ground; then the blocks of all centres: buildings, trees, pieces, in this
   // order.
   void plan() {
-    tell("streets", 0);
+    tell(0);
     graph_ = build_street_graph(std::move(f_.streets), f_.issues);
     f_.streets = graph_.streets;
-    tell("trees of woods and parks", 0);
+    tell(0.05);
     const std::vector<TreeFeature> scattered = scatter_trees(f_, options_.seed);
     f_.trees.insert(f_.trees.end(), scattered.begin(), scattered.end());
-    tell("ground", 0);
+    tell(0.25);
     const StreetFaces faces(graph_);
     for (AreaFeature& area : paved_ground(faces, f_.buildings)) f_.areas.push_back(std::move(area));
     pieces_ = area_pieces(f_.areas, f_.issues);
     for (SurfacePiece& piece : street_pieces(graph_, f_.issues)) pieces_.push_back(std::move(piece));
-    tell("blocks", 0);
+    tell(0.4);
     BlockOptions options;
     options.left_hand_traffic = f_.left_hand_traffic;
     plan_ = find_blocks(graph_, faces, centers(), options);
@@ -86,14 +88,14 @@ class Builder {
   }
 
   void drive() {
-    tell("traffic", 0);
+    tell(0.45);
     scene_.traffic =
         build_traffic(f_.frame, graph_, plan_.half_streets, static_cast<std::uint32_t>(plan_.blocks.size()),
                       {.cars = options_.cars, .left_hand = f_.left_hand_traffic, .seed = options_.seed});
   }
 
   void make_meshes() {
-    tell("buildings", 0);
+    tell(0.8);
     buildings_.resize(f_.buildings.size());
     std::vector<std::vector<Issue>> issues(buildings_.size());
     tbb::parallel_for(std::size_t{0}, buildings_.size(), [&](std::size_t i) {
@@ -103,7 +105,7 @@ class Builder {
       object.box = bounds(object.mesh, frames_[object.block]);
     });
     for (auto& list : issues) std::move(list.begin(), list.end(), std::back_inserter(f_.issues));
-    tell("laying the ground", 0);
+    tell(0.9);
     surfaces_.resize(pieces_.size());
     const std::size_t first = f_.buildings.size() + f_.trees.size();
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
@@ -134,7 +136,7 @@ class Builder {
 
   // Blocks' volumes from their content, then the tree. Returns the new number of each block.
   std::vector<std::uint32_t> make_tree() {
-    tell("tree", 0);
+    tell(0.95);
     std::vector<BlockContent> content(plan_.blocks.size());
     for (const MeshObject& object : buildings_) content[object.block].add(object.box);
     for (const MeshObject& object : surfaces_) content[object.block].add(object.box);
@@ -154,7 +156,7 @@ class Builder {
   }
 
   void store(const std::vector<std::uint32_t>& new_of_old) {
-    tell("storing", 0);
+    tell(0.97);
     const auto blocks = static_cast<std::uint32_t>(frames_.size());
     scene_.blocks.resize(blocks);
     for (std::uint32_t old = 0; old < blocks; ++old) scene_.blocks[new_of_old[old]] = frames_[old];
