@@ -1,7 +1,5 @@
 #include "apps/walkthrough/frame_log.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 namespace manzana::walkthrough {
@@ -19,14 +17,6 @@ std::string to_csv(std::span<const FrameRow> rows) {
     csv += line;
   }
   return csv;
-}
-
-double quantile(std::vector<double> values, double p) {
-  if (values.empty()) return 0;
-  const auto rank = static_cast<std::size_t>(std::ceil(p * static_cast<double>(values.size())));
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::clamp<std::size_t>(rank, 1, values.size()) - 1);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
 }
 
 }  // namespace manzana::walkthrough

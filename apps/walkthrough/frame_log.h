@@ -19,10 +19,6 @@ struct FrameRow {
 /// frames.csv: a head, then a row a frame.
 std::string to_csv(std::span<const FrameRow> rows);
 
-/// The smallest value that at least the fraction p of the values reach down to (nearest rank), 0 < p <= 1; the median
-/// is quantile(values, 0.5). 0 without values.
-double quantile(std::vector<double> values, double p);
-
 /// One column of the rows: `get` is a member, or a function of a row.
 template <class Get>
 std::vector<double> column(std::span<const FrameRow> rows, Get get) {

@@ -3,12 +3,13 @@
 #include <array>
 #include <cstdio>
 
+#include "apps/common/progress_bar.h"
+#include "apps/common/quantile.h"
+#include "apps/common/whole_file.h"
 #include "apps/walkthrough/caption.h"
 #include "apps/walkthrough/frame.h"
 #include "apps/walkthrough/load.h"
-#include "apps/walkthrough/progress_bar.h"
 #include "apps/walkthrough/summary.h"
-#include "apps/walkthrough/whole_file.h"
 #include "gl/context.h"
 
 namespace manzana::walkthrough {
@@ -30,7 +31,7 @@ std::vector<FrameRow> draw_path(const Options& options, Stage& stage, const Came
   const auto view_at = [&](int frame) {
     return view_of(stage.scene.frame, pose_at(path, path_time(path, frame, options.frames)), stage.aspect());
   };
-  ProgressBar bar(stderr);
+  apps::ProgressBar bar(stderr);
   std::vector<FrameRow> rows;
   draw_frame(stage, view_at(0), 0);
   for (int frame = 0; frame < options.frames; ++frame) {
@@ -42,7 +43,7 @@ std::vector<FrameRow> draw_path(const Options& options, Stage& stage, const Came
 }
 
 void print_result(const Options& options, std::span<const FrameRow> rows) {
-  const auto median = [&](auto get) { return quantile(column(rows, get), 0.5); };
+  const auto median = [&](auto get) { return apps::quantile(column(rows, get), 0.5); };
   std::printf("%zu frames, medians: cull %.1f us, cars %.1f us, draw %.1f ms, %.0f triangles\n", rows.size(),
               median(&FrameRow::cull_us), median(&FrameRow::update_us), median(&FrameRow::draw_ms),
               median(&FrameRow::triangles));
@@ -61,9 +62,9 @@ void run_headless(const Options& options, const Imported& city, std::span<const 
   const std::vector<FrameRow> rows = draw_path(options, stage, path);
   const std::string by_name = gl::software_renderer() ? "low" : "high";
   const RunFacts facts{renderer, options.quality.empty() ? by_name : options.quality, path.name, largest_memory_mb()};
-  write_whole(options.out / "frames.csv", to_csv(rows));
-  write_whole(options.out / "issues.txt", issue_table(city.issues));
-  write_whole(options.out / "summary.json", summary_json(options, city, rows, facts));
+  apps::write_whole(options.out / "frames.csv", to_csv(rows));
+  apps::write_whole(options.out / "issues.txt", issue_table(city.issues));
+  apps::write_whole(options.out / "summary.json", summary_json(options, city, rows, facts));
   print_result(options, rows);
 }
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdio>
 
-#include "apps/walkthrough/progress_bar.h"
+#include "apps/common/progress_bar.h"
 #include "foliage/generate.h"
 #include "foliage/import/gltf_plant.h"
 #include "foliage/import/species.h"
@@ -30,7 +30,7 @@ std::string printable(std::string text) {
 }  // namespace
 
 Imported load_city(const Options& options) {
-  ProgressBar bar(stderr);
+  apps::ProgressBar bar(stderr);
   const ImportOptions how{.seed = options.seed, .cars = options.cars};
   return import_city(options.city, how, [&](std::string_view stage, double fraction) { bar.show(stage, fraction); });
 }

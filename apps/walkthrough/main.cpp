@@ -1,15 +1,13 @@
 // manzana-walkthrough: walks, flies and drives through a city; without a display draws a camera path to files.
 // SHOWS: import_city, VisibleSets, Renderer. READ FIRST: frame.cpp, then headless.cpp or window.cpp.
 #include <cstdio>
-#include <exception>
-#include <new>
 #include <string>
 
+#include "apps/common/whole_file.h"
 #include "apps/walkthrough/builtin_paths.h"
 #include "apps/walkthrough/headless.h"
 #include "apps/walkthrough/load.h"
 #include "apps/walkthrough/options.h"
-#include "apps/walkthrough/whole_file.h"
 #include "apps/walkthrough/window.h"
 
 namespace {
@@ -32,33 +30,20 @@ void run(const Options& options) {
   CameraPath path;
   if (!is_builtin_path(options.path)) path = read_path(options.path);
   const auto plants = load_plants(options);
-  if (!display.open()) make_folder(options.out);
+  if (!display.open()) apps::make_folder(options.out);
   const Imported city = load_city(options);
   print_city(city);
   if (path.keys.empty()) path = builtin_path(options.path, city.scene);
   display.open() ? run_window(options, city, plants, path) : run_headless(options, city, plants, path);
 }
 
-int fail(std::string what) {
-  for (char& c : what) c = c == '\n' ? ' ' : c;
-  std::fprintf(stderr, "manzana-walkthrough: %s\n", what.c_str());
-  return 1;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   const Parsed parsed = parse_options(argc, argv);
-  if (!parsed.options) {
-    std::fputs(parsed.text.c_str(), parsed.exit_code == 0 ? stdout : stderr);
-    return parsed.exit_code;
-  }
-  try {
+  if (!parsed.options) return apps::reply(parsed);
+  return apps::guarded("manzana-walkthrough", parsed.options->city, [&] {
     run(*parsed.options);
     return 0;
-  } catch (const std::bad_alloc&) {
-    return fail(parsed.options->city + ": not enough memory");
-  } catch (const std::exception& error) {
-    return fail(error.what());
-  }
+  });
 }

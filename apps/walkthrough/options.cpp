@@ -87,12 +87,6 @@ Options finish(Options options, const Texts& texts) {
   return options;
 }
 
-std::string one_line(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  for (char& c : text) c = c == '\n' ? ' ' : c;
-  return text;
-}
-
 }  // namespace
 
 Parsed parse_options(int argc, const char* const* argv) {
@@ -101,16 +95,8 @@ Parsed parse_options(int argc, const char* const* argv) {
   Options options;
   Texts texts;
   add_options(app, options, texts);
-  try {
-    app.parse(argc, argv);
-    return {finish(std::move(options), texts), {}, 0};
-  } catch (const CLI::CallForHelp&) {
-    return {std::nullopt, app.help(), 0};
-  } catch (const CLI::CallForVersion& version) {
-    return {std::nullopt, std::string(version.what()) + "\n", 0};
-  } catch (const CLI::ParseError& error) {
-    return {std::nullopt, "manzana-walkthrough: " + one_line(error.what()) + " (see --help)\n", 2};
-  }
+  if (auto reply = apps::parse(app, argc, argv)) return {std::nullopt, std::move(reply->text), reply->exit_code};
+  return {finish(std::move(options), texts), {}, 0};
 }
 
 const char* name_of(Structure structure) { return structure == Structure::bqr ? "bqr" : "none"; }

@@ -1,13 +1,13 @@
 #pragma once
 /// What the command line says.
 ///   Parsed parsed = parse_options(argc, argv);
-///   if (!parsed.options) return reply(parsed);          // --help, --version or wrong usage
+///   if (!parsed.options) return apps::reply(parsed);        // --help, --version or wrong usage
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "apps/common/program.h"
 #include "scenegraph/draw/renderer.h"
 #include "scenegraph/visible.h"
 
@@ -33,12 +33,7 @@ struct Options {
   std::vector<PlantFile> plants;
 };
 
-/// Either options, or a text to print and the code to exit with: 0 with a text for stdout, 2 with a line for stderr.
-struct Parsed {
-  std::optional<Options> options;
-  std::string text;
-  int exit_code = 0;
-};
+using Parsed = apps::Parsed<Options>;
 Parsed parse_options(int argc, const char* const* argv);
 
 const char* name_of(Structure structure);  ///< bqr, none

@@ -4,13 +4,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "apps/common/quantile.h"
+
 namespace manzana::walkthrough {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 Json medians(std::span<const FrameRow> rows) {
-  const auto median = [&](auto get) { return quantile(column(rows, get), 0.5); };
+  const auto median = [&](auto get) { return apps::quantile(column(rows, get), 0.5); };
   return {{"cull_us", median(&FrameRow::cull_us)},
           {"update_us", median(&FrameRow::update_us)},
           {"draw_ms", median(&FrameRow::draw_ms)},
@@ -23,8 +25,8 @@ Json medians(std::span<const FrameRow> rows) {
 }
 
 Json tails(std::span<const FrameRow> rows) {
-  return {{"draw_ms", quantile(column(rows, &FrameRow::draw_ms), 0.99)},
-          {"frame_ms", quantile(column(rows, &FrameRow::frame_ms), 0.99)}};
+  return {{"draw_ms", apps::quantile(column(rows, &FrameRow::draw_ms), 0.99)},
+          {"frame_ms", apps::quantile(column(rows, &FrameRow::frame_ms), 0.99)}};
 }
 
 }  // namespace

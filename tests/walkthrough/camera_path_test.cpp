@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "tests/walkthrough/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace manzana;
 using namespace manzana::walkthrough;

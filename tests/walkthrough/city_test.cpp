@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "apps/common/quantile.h"
 #include "apps/walkthrough/builtin_paths.h"
 #include "apps/walkthrough/frame.h"
 #include "apps/walkthrough/load.h"
@@ -31,7 +32,7 @@ std::vector<FrameRow> along(Stage& stage, const CameraPath& path) {
 }
 
 double median_triangles(const std::vector<FrameRow>& rows) {
-  return quantile(column(std::span<const FrameRow>(rows), &FrameRow::triangles), 0.5);
+  return apps::quantile(column(std::span<const FrameRow>(rows), &FrameRow::triangles), 0.5);
 }
 
 std::vector<unsigned char> picture(const Scene& scene, const std::vector<foliage::PlantModel>& plants,

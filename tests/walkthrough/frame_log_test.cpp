@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
-#include <random>
 
 #include "apps/walkthrough/headless.h"
 #include "apps/walkthrough/summary.h"
@@ -33,25 +32,6 @@ TEST_CASE("frames.csv: the head as agreed, and a row a frame") {
   const std::string csv = to_csv(rows_of(3));
   CHECK(std::count(csv.begin(), csv.end(), '\n') == 4);
   CHECK(csv.find("\n2,3.00,1000.00,30.000,0,0,0,0,1000000000002\n") != std::string::npos);
-}
-
-TEST_CASE("quantile: the same as sorting and counting") {
-  std::mt19937_64 bits(6);
-  for (std::size_t n = 1; n < 60; ++n) {
-    std::vector<double> values;
-    for (std::size_t i = 0; i < n; ++i) values.push_back(static_cast<double>(bits() % 100));
-    std::vector<double> sorted = values;
-    std::sort(sorted.begin(), sorted.end());
-    for (const double p : {0.01, 0.5, 0.9, 0.99, 1.0}) {
-      const double q = quantile(values, p);
-      const auto reached = std::count_if(values.begin(), values.end(), [&](double v) { return v <= q; });
-      const auto below = std::count_if(values.begin(), values.end(), [&](double v) { return v < q; });
-      CHECK(static_cast<double>(reached) >= p * static_cast<double>(n));
-      CHECK(static_cast<double>(below) < p * static_cast<double>(n));
-    }
-    CHECK(quantile(values, 1.0) == sorted.back());
-  }
-  CHECK(quantile({}, 0.5) == 0);
 }
 
 TEST_CASE("summary.json: holds what was agreed") {

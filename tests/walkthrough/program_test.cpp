@@ -5,9 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/data.h"
-#include "tests/walkthrough/program.h"
+#include "tests/support/program.h"
 
 namespace {
+
+Ended run_walkthrough(const std::filesystem::path& folder, const std::vector<std::string>& arguments) {
+  return run_program(MANZANA_WALKTHROUGH, folder, arguments);
+}
 
 using Json = nlohmann::json;
 using Path = std::filesystem::path;

@@ -32,3 +32,7 @@ inline std::string read_all(const std::filesystem::path& file) {
   text << in.rdbuf();
   return text.str();
 }
+
+inline std::size_t files_in(const std::filesystem::path& folder) {
+  return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
+}

@@ -1,4 +1,4 @@
-#include "apps/walkthrough/whole_file.h"
+#include "apps/common/whole_file.h"
 
 #include <unistd.h>
 
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace manzana::walkthrough {
+namespace manzana::apps {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& what) {
@@ -44,4 +44,4 @@ void make_folder(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder)) fail(folder, "is not a folder");
 }
 
-}  // namespace manzana::walkthrough
+}  // namespace manzana::apps

@@ -1,5 +1,6 @@
 #pragma once
-/// Runs the program as a user would, and says how it ended and what it took.
+/// Runs a program as a user would, and says how it ended and what it took.
+///   const Ended ended = run_program(MANZANA_WALKTHROUGH, folder, {"--version"});
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/walkthrough/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 struct Ended {
   int code = -1;  ///< of exit; 128 + signal when it was killed
@@ -18,10 +19,11 @@ struct Ended {
 };
 
 /// Without a display. `folder` takes its output.
-inline Ended run_walkthrough(const std::filesystem::path& folder, const std::vector<std::string>& arguments) {
+inline Ended run_program(const std::string& program, const std::filesystem::path& folder,
+                         const std::vector<std::string>& arguments) {
   constexpr rlim_t kMostCpu = 120;  // seconds: a hang ends the test, not the day
   const std::string out = folder / "stdout.txt", err = folder / "stderr.txt";
-  std::vector<char*> argv{const_cast<char*>(MANZANA_WALKTHROUGH)};
+  std::vector<char*> argv{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   const pid_t child = fork();
@@ -33,7 +35,7 @@ inline Ended run_walkthrough(const std::filesystem::path& folder, const std::vec
     unsetenv("WAYLAND_DISPLAY");
     dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 1);
     dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 2);
-    execv(MANZANA_WALKTHROUGH, argv.data());
+    execv(program.c_str(), argv.data());
     _exit(127);
   }
   int status = 0;

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace manzana::walkthrough {
+namespace manzana::apps {
 
 class ProgressBar {
  public:
@@ -29,4 +29,4 @@ class ProgressBar {
   int shown_ = -1;  // percent on the terminal, quarters otherwise
 };
 
-}  // namespace manzana::walkthrough
+}  // namespace manzana::apps

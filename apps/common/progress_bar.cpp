@@ -1,10 +1,10 @@
-#include "apps/walkthrough/progress_bar.h"
+#include "apps/common/progress_bar.h"
 
 #include <unistd.h>
 
 #include <algorithm>
 
-namespace manzana::walkthrough {
+namespace manzana::apps {
 namespace {
 
 constexpr int kBarWidth = 30;
@@ -40,4 +40,4 @@ void ProgressBar::show(std::string_view stage, double fraction) {
   std::fflush(out_);
 }
 
-}  // namespace manzana::walkthrough
+}  // namespace manzana::apps
