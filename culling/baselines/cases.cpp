@@ -67,6 +67,7 @@ City make_city(const Case& which, std::uint64_t seed) {
   const City c1 = paper_town(kC1, seed);
   if (which.name == "C1") return c1;
   City city = paper_town(kC2, seed);
+  city.flown = city.bounds;
   const Vec3d size = city.bounds.max - city.bounds.min;
   for (const Vec2d& at : neighbours(which.name)) append(city, moved(c1, {at.x * size.x, at.y * size.y, 0}));
   return city;
@@ -87,6 +88,7 @@ City moved(City city, const Vec3d& by) {
   }
   std::for_each(city.boxes.begin(), city.boxes.end(), move);
   move(city.bounds);
+  move(city.flown);
   return city;
 }
 

@@ -19,6 +19,7 @@ struct City {
   std::vector<ObjectKind> kinds;             ///< a row an object
   std::vector<std::uint32_t> triangles;      ///< a row an object
   culling::BoxD bounds;                      ///< of all blocks
+  culling::BoxD flown;                       ///< what the flight crosses, C2 in C3 to C6; empty: all of it
   std::uint32_t objects() const { return static_cast<std::uint32_t>(boxes.size()); }
 };
 

@@ -10,17 +10,15 @@ namespace {
 /// Where the camera is at t, which way it heads (radians from east to north), and how far up it looks.
 struct Stop {
   double t;
-  Vec2d at;  ///< of the city's half-width and half-depth
+  Vec2d at;  ///< of half the width and half the depth of what is flown over
   double height_m, heading, pitch;
 };
 
-constexpr double kDown = -std::numbers::pi / 2 * 0.8;
-
-/// The five legs between them: the outskirts, the walk in, the climb, the turn down, the dive.
+/// The five legs between them: along the outskirts, the walk in, the climb, the turn down, the dive.
 constexpr std::array kStops{
-    Stop{0.00, {-1.2, 0.02}, 1.7, 0, 0},  Stop{0.08, {-1.0, 0.02}, 1.7, 0, 0},
-    Stop{0.30, {0, 0.02}, 1.7, 0, 0},     Stop{0.60, {0, 0.02}, 150, 0, 0},
-    Stop{0.70, {0, 0.02}, 150, 0, kDown}, Stop{1.00, {0.5, 0.5}, 1.7, 0.8, kDown / 2},
+    Stop{0.00, {-1.35, -0.40}, 1.7, 0.05, 0.0}, Stop{0.07, {-1.00, 0.05}, 1.7, 0.05, 0.0},
+    Stop{0.20, {0.28, 0.05}, 1.7, 0.05, 0.0},   Stop{0.55, {0.28, 0.05}, 80, 0.05, 0.0},
+    Stop{0.62, {0.28, 0.05}, 80, 0.67, -1.3},   Stop{1.00, {0.93, 0.85}, 1.7, 0.67, -0.3},
 };
 
 Stop between(const Stop& a, const Stop& b, double t) {
@@ -38,9 +36,9 @@ Stop stop_at(double t) {
 
 culling::View flight(const City& city, double far_m, double t) {
   const Stop stop = stop_at(t);
-  const Vec3d middle = culling::center(city.bounds);
-  const Vec3d half = (city.bounds.max - city.bounds.min) / 2.0;
-  const Vec3d eye{middle.x + stop.at.x * half.x, middle.y + stop.at.y * half.y, city.bounds.min.z + stop.height_m};
+  const culling::BoxD& below = city.flown.empty() ? city.bounds : city.flown;
+  const Vec3d middle = culling::center(below), half = (below.max - below.min) / 2.0;
+  const Vec3d eye{middle.x + stop.at.x * half.x, middle.y + stop.at.y * half.y, below.min.z + stop.height_m};
   const Vec3d forward{std::cos(stop.heading) * std::cos(stop.pitch), std::sin(stop.heading) * std::cos(stop.pitch),
                       std::sin(stop.pitch)};
   return culling::look(eye, forward, Vec3d(0, 0, 1), std::numbers::pi / 3, 16.0 / 9.0, 0.1, far_m);

@@ -9,8 +9,12 @@ struct Narrowed {
   std::vector<culling::Box> boxes;  ///< a row an object, rounded outward
 };
 
+inline Vec3d origin_of(const City& city) {
+  return city.bounds.empty() ? Vec3d(0) : glm::round(culling::center(city.bounds));
+}
+
 inline Narrowed narrowed(const City& city) {
-  Narrowed all{glm::round(culling::center(city.bounds)), {}};
+  Narrowed all{origin_of(city), {}};
   all.boxes.reserve(city.objects());
   for (const culling::BoxD& box : city.boxes) all.boxes.push_back(narrow(box, all.origin));
   return all;

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "culling/baselines/bqr.h"
+#include "culling/baselines/bqr_paper.h"
 #include "culling/baselines/linear.h"
 #include "culling/baselines/peer.h"
 
@@ -10,6 +11,7 @@ namespace {
 
 constexpr std::array kPeers{
     PeerInfo{"bqr", "the BqR-Tree of this library", Grain::object, true, make_bqr},
+    PeerInfo{"bqr-paper", "the BqR-Tree of the paper, written plainly, scalar", Grain::block, true, make_bqr_paper},
     PeerInfo{"none", "no culling: everything, always", Grain::object, true, make_none},
     PeerInfo{"linear", "box after box, plane after plane, scalar", Grain::object, true, make_linear},
 };
