@@ -36,7 +36,7 @@ Vec3d right_of(const Vec3d& forward, const Vec3d& up) {
 /// The plane through the eye that holds sign * (side - tangent * forward) >= 0.
 PlaneD side_plane(const Vec3d& side, const Vec3d& forward, double tangent, double sign) {
   const Vec3d normal = sign * (side - tangent * forward) / std::hypot(1.0, tangent);
-  return finite(normal) ? PlaneD{normal, 0} : PlaneD{};  // a plane without a normal never culls
+  return finite(normal) ? PlaneD{normal, 0} : kNoPlane;
 }
 
 }  // namespace

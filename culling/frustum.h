@@ -3,8 +3,8 @@
 ///   View view = look(eye, forward, up, glm::radians(60.0), 16.0 / 9.0);   // reversed depth is the drawing's affair
 ///   FrustumD exact = make_frustum(view);                                  // double, relative to the eye
 ///   Frustum frustum = narrow(exact, tree.origin);                         // float, relative to the tree's origin
-/// Planes come from the camera's parameters, never from the rows of a matrix: the far plane of a float matrix lies
-/// kilometres off [numerics 1].
+/// Planes come from the camera's parameters, not from the rows of a matrix: the far plane of a float matrix lies
+/// kilometres off [numerics 1]. A host that has only matrices, or no apex, goes through culling/host_camera.h.
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -38,11 +38,14 @@ struct Plane {
   float offset = 0;
 };
 
+/// Stands where a plane is missing: everything is inside it, nothing ever outside.
+inline constexpr PlaneD kNoPlane{{0, 0, 0}, std::numeric_limits<float>::max()};
+
 /// Order of the planes. An infinite view has no far plane: count is 5 then.
 enum PlaneIndex : std::uint8_t { kLeft, kRight, kBottom, kTop, kNear, kFar };
 
 /// Planes relative to the eye: p = position in L - eye. Exact to 4 units in the last place of the camera's parameters.
-/// A side whose normal is not finite (a tangent that is not) becomes a plane with normal 0, which never culls.
+/// A side whose normal is not finite (a tangent that is not) becomes kNoPlane.
 struct FrustumD {
   Vec3d eye{0, 0, 0};
   std::array<PlaneD, 6> planes{};
@@ -64,6 +67,12 @@ Frustum narrow(const FrustumD& frustum, const Vec3d& origin);
 /// r = radius, d = distance of the centre, both in metres; f_px = image height / (tan_top - tan_bottom).
 inline double projected_radius(double r, double d, double f_px) {
   return d > r ? f_px * r / glm::sqrt((d - r) * (d + r)) : std::numeric_limits<double>::infinity();
+}
+
+/// The same where there is no apex, in an orthographic view: at any distance. height_px: of the image; height_m: of
+/// what it shows, metres.
+inline double projected_radius_orthographic(double r, double height_px, double height_m) {
+  return r * height_px / height_m;
 }
 
 }  // namespace manzana::culling

@@ -12,4 +12,5 @@ using Vec3d = glm::dvec3;
 using Mat3 = glm::mat3;
 using Mat3d = glm::dmat3;
 using Mat4 = glm::mat4;
+using Mat4d = glm::dmat4;
 }  // namespace manzana

@@ -1,36 +1,51 @@
 #pragma once
-/// The exact answer to "does this box meet what the camera sees?", slow and sure: separating axes in long double. For
-/// tests and benchmarks only; nothing that is installed links it.
+/// The exact answer to "does this box meet what the camera sees?": separating axes, in double where that is certain and
+/// in fifty digits where it is not. For tests and benchmarks only; nothing that is installed links it.
 ///   ExactView exact = make_exact(view);
 ///   bool seen = exactly_overlaps(exact, box);
 /// Two convex polyhedra are disjoint exactly when one of these directions separates them: a face normal of either, or
 /// the cross product of an edge of each. It holds for the unbounded pyramid of an infinite view too.
 /// [Gottschalk, Lin, Manocha: OBBTree (1996), section 5]
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "culling/frustum.h"
+#include "culling/host_camera.h"
 #include "culling/volumes.h"
 
 namespace manzana::culling {
 
-using Vec3l = glm::vec<3, long double>;
+struct BigView;  // the same in fifty digits
 
-/// What the camera sees, as a polyhedron relative to the eye: the hull of `corners` and, for an infinite view, of all
-/// rays from them along `rays`. Metres.
+/// What the camera sees, as a polyhedron relative to `eye`, metres; rounded to double.
 struct ExactView {
-  Vec3l eye;
-  std::vector<Vec3l> corners, rays;
+  Vec3d eye;
+  /// In the order of PlaneIndex; without a far plane five.
+  std::vector<PlaneD> planes;
+  /// Bits of the index: 1 right, 2 top, 4 far. Those of a far plane that is missing are corners shifted by 1 along the
+  /// edge that leads there.
+  std::array<Vec3d, 8> corners;
+  /// Directions to test, of length 1, and the polyhedron's interval along each, which may be infinite; those of
+  /// `planes` come first.
   struct Axis {
-    Vec3l direction;
-    long double low, high;  ///< the polyhedron's interval along it; may be infinite
+    Vec3d direction;
+    double low, high;
   };
   std::vector<Axis> axes;
-};
-ExactView make_exact(const View& view);
+  std::shared_ptr<const BigView> exact;
 
-/// Closed sets. Rounding: 1e-18 of the largest coordinate relative to the eye.
+  bool infinite() const { return planes.size() == 5; }
+};
+
+/// About 1 ms.
+ExactView make_exact(const View& view);
+/// What clip space keeps of exactly these matrices, products unrounded; the far plane too, unless its row has no
+/// normal. Nothing else may be missing. The planes' own signs are trusted: of a matrix of float they may be wrong.
+ExactView make_exact(const Mat4d& projection, const Mat4d& view, ClipDepth depth);
+
+/// Closed sets. Right but for boxes that miss by less than 1e-38 m, which count as touching.
 bool exactly_overlaps(const ExactView& view, const BoxD& box);
 inline bool exactly_overlaps(const View& view, const BoxD& box) { return exactly_overlaps(make_exact(view), box); }
 

@@ -6,30 +6,13 @@
 #include <numbers>
 #include <vector>
 
+#include "culling/baselines/random.h"
 #include "culling/bqr_tree.h"
-#include "culling/hash.h"
 #include "culling/object_table.h"
 
 namespace manzana::culling::test {
 
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : seed_(seed) {}
-  double unit() { return hash_unit(seed_, next_++); }
-  double in(double low, double high) { return low + (high - low) * unit(); }
-  /// Evenly spread over the exponents.
-  double scale(double low, double high) { return std::exp(in(std::log(low), std::log(high))); }
-  std::uint64_t below(std::uint64_t n) { return hash_bits(seed_, next_++) % n; }
-  Vec3d direction() {
-    const double z = in(-1, 1);
-    const double a = in(-std::numbers::pi, std::numbers::pi);
-    const double r = std::sqrt(1 - z * z);
-    return {r * std::cos(a), r * std::sin(a), z};
-  }
-
- private:
-  std::uint64_t seed_, next_ = 0;
-};
+using baselines::Random;
 
 struct City {
   std::vector<BlockVolume> blocks;
@@ -38,7 +21,6 @@ struct City {
   Vec3d center{0, 0, 0};
 };
 
-/// Braces, not parentheses, where several random numbers are drawn: only they have an order.
 /// side x side blocks at a pitch of 100 m, `per_block` objects each on average: 2 buildings of 5 objects, else trees.
 inline City make_city(int side, int per_block, std::uint64_t seed, const Vec3d& center = Vec3d(0)) {
   City city{{}, {}, side * 100.0, center};

@@ -163,8 +163,8 @@ TEST_CASE("box and frustum: nothing is lost") {
 TEST_CASE("a point in the origin, on a side far from the eye, is not lost") {
   Random random(35);
   int inside = 0, lost = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const View view = random_view(random, eyes()[random.below(5)]);
+  for (int i = 0; i < 6000; ++i) {
+    const View view = random_view(random, eyes()[random.below(eyes().size())]);
     const Vec3d point = view.eye + Vec3d(touch(make_polytope(view), random, 0, 1e6).point);
     if (!exactly_overlaps(view, BoxD{point, point})) continue;
     ++inside;
@@ -173,7 +173,7 @@ TEST_CASE("a point in the origin, on a side far from the eye, is not lost") {
     const bool box = overlap(frustum, narrow(BoxD{point, point}, point)) != Overlap::outside;
     lost += ball && box ? 0 : 1;
   }
-  CHECK(inside > 2000);
+  CHECK(inside > 600);
   CHECK(lost == 0);
 }
 

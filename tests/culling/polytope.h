@@ -11,6 +11,7 @@
 namespace manzana::culling::test {
 
 using Real = long double;
+using Vec3l = glm::vec<3, Real>;
 
 struct PlaneL {
   Vec3l normal;
