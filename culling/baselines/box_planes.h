@@ -21,7 +21,8 @@ class BoxPlanes {
 
   /// For boxes relative to `origin`, with no coordinate larger than `reach`.
   BoxPlanes(const culling::FrustumD& frustum, const Vec3d& origin, const Vec3& reach) {
-    for (const PushedPlane& plane : push_out(narrow(frustum, origin), reach).all()) {
+    const PushedPlanes pushed = push_out(narrow(frustum, origin), reach);
+    for (const PushedPlane& plane : pushed.all()) {
       used_ |= 1U << count_;
       planes_[count_++] = make(plane);
     }
