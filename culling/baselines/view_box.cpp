@@ -1,7 +1,6 @@
 #include "culling/baselines/view_box.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace manzana::baselines {
@@ -9,16 +8,13 @@ namespace {
 
 using culling::BoxD;
 using culling::FrustumD;
+using culling::PlaneD;
 
-/// The edges of the pyramid, from the eye to depth 1 along the near plane's normal.
-std::array<Vec3d, 4> edges(const FrustumD& frustum) {
-  const auto& planes = frustum.planes;
-  const auto edge = [&](culling::PlaneIndex a, culling::PlaneIndex b) {
-    const Vec3d along = glm::cross(planes[a].normal, planes[b].normal);
-    return along / glm::dot(along, planes[culling::kNear].normal);
-  };
-  using namespace culling;
-  return {edge(kLeft, kBottom), edge(kRight, kBottom), edge(kRight, kTop), edge(kLeft, kTop)};
+/// Relative to the eye: where two sides and the plane at a depth along the near plane's normal meet.
+Vec3d corner(const PlaneD& a, const PlaneD& b, const Vec3d& forward, double depth) {
+  const Vec3d edge = glm::cross(a.normal, b.normal);
+  const Vec3d sum = a.offset * glm::cross(b.normal, forward) + b.offset * glm::cross(forward, a.normal) - depth * edge;
+  return -sum / glm::dot(edge, forward);
 }
 
 /// The largest depth of any point of `bounds`.
@@ -34,10 +30,14 @@ BoxD view_box(const FrustumD& frustum, const BoxD& bounds) {
   double far_m = std::max(near_m, depth_of(bounds, frustum));
   if (frustum.count > culling::kFar) far_m = std::min(far_m, frustum.planes[culling::kFar].offset);
   BoxD box;
-  for (const Vec3d& edge : edges(frustum)) {
-    if (!std::isfinite(edge.x + edge.y + edge.z)) return bounds;
-    box = merge(merge(box, frustum.eye + edge * near_m), frustum.eye + edge * far_m);
-  }
+  const auto& planes = frustum.planes;
+  for (const auto x : {culling::kLeft, culling::kRight})
+    for (const auto y : {culling::kBottom, culling::kTop})
+      for (const double depth : {near_m, far_m}) {
+        const Vec3d at = corner(planes[x], planes[y], planes[culling::kNear].normal, depth);
+        if (!std::isfinite(at.x + at.y + at.z)) return bounds;
+        box = merge(box, frustum.eye + at);
+      }
   const Vec3d most = glm::max(glm::abs(box.min), glm::abs(box.max));
   const double margin = 1e-8 * std::max({most.x, most.y, most.z});  // the edges are worst at 179 degrees: 1e-11
   return {glm::max(box.min - margin, bounds.min), glm::min(box.max + margin, bounds.max)};
