@@ -13,7 +13,6 @@ namespace manzana::baselines {
 namespace {
 
 using culling::BlockVolume;
-using culling::Box;
 using culling::Overlap;
 using culling::Sphere;
 
@@ -27,8 +26,9 @@ struct Node {
 
 struct Tree {
   Vec3d origin{0, 0, 0};
+  Vec3 reach{0, 0, 0};  ///< no coordinate of any volume is larger
   std::vector<Node> nodes;
-  std::vector<Box> boxes;            ///< of the leaves
+  std::vector<Corners> boxes;        ///< of the leaves
   std::vector<std::uint32_t> order;  ///< order[leaf] = block
 };
 
@@ -113,13 +113,17 @@ class Builder {
 
   void bound() {
     std::vector<culling::SphereD> leaves;
+    std::vector<culling::Box> boxes;
     for (const std::uint32_t b : tree_.order) {
       leaves.push_back(blocks_[b].sphere);
-      tree_.boxes.push_back(narrow(blocks_[b].box, tree_.origin));
+      boxes.push_back(narrow(blocks_[b].box, tree_.origin));
+      tree_.boxes.push_back(to_corners(boxes.back()));
     }
+    tree_.reach = reach_of(boxes);
     for (Node& node : tree_.nodes) {
       const auto below = std::span(leaves).subspan(node.first, node.last - node.first);
       node.bounds = narrow(node.leaf() ? below.front() : culling::enclosing_sphere(below), tree_.origin);
+      tree_.reach = glm::max(tree_.reach, glm::abs(node.bounds.center) + node.bounds.radius);
     }
   }
 
@@ -137,31 +141,19 @@ Overlap overlap(const PushedPlanes& planes, const Sphere& sphere) {
   return inside ? Overlap::inside : Overlap::crosses;
 }
 
-bool outside(const PushedPlanes& planes, const Box& box) {
-  for (const PushedPlane& plane : planes.all()) {
-    const Vec3& n = plane.normal;
-    const Vec3 best{n.x >= 0 ? box.max.x : box.min.x, n.y >= 0 ? box.max.y : box.min.y,
-                    n.z >= 0 ? box.max.z : box.min.z};
-    if (glm::dot(n, best) + plane.outer < 0) return true;
-  }
+bool outside(const PushedPlanes& planes, const Corners& box) {
+  for (const PushedPlane& plane : planes.all())
+    if (plane.is_beyond(box)) return true;
   return false;
-}
-
-Vec3 reach_of_all(const Tree& tree) {
-  Vec3 reach = reach_of(tree.boxes);
-  for (const Node& node : tree.nodes) reach = glm::max(reach, glm::abs(node.bounds.center) + node.bounds.radius);
-  return reach;
 }
 
 class BqrPaper : public Peer {
  public:
   explicit BqrPaper(const City& city)
-      : tree_(Builder(city.blocks, origin_of(city)).run()),
-        rows_(rows_of(city, tree_.order)),
-        reach_(reach_of_all(tree_)) {}
+      : tree_(Builder(city.blocks, origin_of(city)).run()), rows_(rows_of(city, tree_.order)) {}
 
   void query(const culling::FrustumD& frustum, Answer& answer) override {
-    const PushedPlanes planes = push_out(narrow(frustum, tree_.origin), reach_);
+    const PushedPlanes planes = push_out(narrow(frustum, tree_.origin), tree_.reach);
     answer.runs.clear();
     for (std::uint32_t i = 0; i < tree_.nodes.size();) {
       const Node& node = tree_.nodes[i];
@@ -178,7 +170,7 @@ class BqrPaper : public Peer {
   std::span<const std::uint32_t> order() const override { return rows_.rows; }
 
   std::size_t bytes() const override {
-    return tree_.nodes.size() * sizeof(Node) + tree_.boxes.size() * sizeof(Box) +
+    return tree_.nodes.size() * sizeof(Node) + tree_.boxes.size() * sizeof(Corners) +
            rows_.first.size() * sizeof(std::uint32_t);
   }
 
@@ -191,7 +183,6 @@ class BqrPaper : public Peer {
 
   Tree tree_;
   BlockRows rows_;
-  Vec3 reach_;
 };
 
 }  // namespace

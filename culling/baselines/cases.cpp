@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr std::uint64_t kC1 = 367'000, kC2 = 1'688'023;
+constexpr std::uint32_t kPerBlock = 25;
 
 constexpr std::array kCases{
     Case{"C1", "96 blocks, 367 000 triangles"},
@@ -29,7 +30,7 @@ constexpr std::array kCases{
 };
 
 City paper_town(std::uint64_t triangles, std::uint64_t seed) {
-  return grow_town({.blocks = 96, .columns = 12, .triangles = triangles}, seed);
+  return grow_town({.blocks = 96, .columns = 12, .per_block = 31, .triangles = triangles}, seed);
 }
 
 void append(City& city, const City& more) {
@@ -74,9 +75,11 @@ City make_city(const Case& which, std::uint64_t seed) {
 }
 
 City make_city(std::uint32_t objects, std::uint64_t seed) {
-  const std::uint32_t blocks = std::max(1U, (objects + kObjectsPerBlock / 2) / kObjectsPerBlock);
+  const std::uint32_t blocks = std::max(1U, (objects + kPerBlock / 2) / kPerBlock);
   const auto side = static_cast<std::uint32_t>(std::ceil(std::sqrt(blocks)));
-  return grow_town({.blocks = blocks, .columns = side, .triangles = std::uint64_t{blocks} * (kC2 / 96)}, seed);
+  return grow_town(
+      {.blocks = blocks, .columns = side, .per_block = kPerBlock, .triangles = std::uint64_t{blocks} * (kC2 / 96)},
+      seed);
 }
 
 City moved(City city, const Vec3d& by) {

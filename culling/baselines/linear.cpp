@@ -6,39 +6,34 @@
 namespace manzana::baselines {
 namespace {
 
-using culling::Box;
-
-/// The corner farthest along the plane's normal.
-Vec3 farthest(const Box& box, const Vec3& n) {
-  return {n.x >= 0 ? box.max.x : box.min.x, n.y >= 0 ? box.max.y : box.min.y, n.z >= 0 ? box.max.z : box.min.z};
-}
-
-bool outside(const Box& box, const PushedPlane& plane) {
-  return glm::dot(plane.normal, farthest(box, plane.normal)) + plane.outer < 0;
-}
-
 class Linear : public Peer {
  public:
-  explicit Linear(const City& city) : city_(narrowed(city)), reach_(reach_of(city_.boxes)) {}
+  explicit Linear(const City& city) : Linear(narrowed(city)) {}
 
   void query(const culling::FrustumD& frustum, Answer& answer) override {
-    const PushedPlanes planes = push_out(narrow(frustum, city_.origin), reach_);
+    const PushedPlanes planes = push_out(narrow(frustum, origin_), reach_);
+    const auto count = static_cast<std::uint32_t>(boxes_.size());
     answer.runs.clear();
-    for (std::uint32_t i = 0; i < city_.boxes.size(); ++i)
-      if (seen(planes, city_.boxes[i])) append(answer.runs, i, i + 1);
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (seen(planes, boxes_[i])) append(answer.runs, i, i + 1);
   }
 
-  std::size_t bytes() const override { return city_.boxes.size() * sizeof(Box); }
+  std::size_t bytes() const override { return boxes_.size() * sizeof(Corners); }
 
  private:
-  static bool seen(const PushedPlanes& planes, const Box& box) {
+  explicit Linear(const Narrowed& city) : origin_(city.origin), reach_(reach_of(city.boxes)) {
+    for (const culling::Box& box : city.boxes) boxes_.push_back(to_corners(box));
+  }
+
+  static bool seen(const PushedPlanes& planes, const Corners& box) {
     for (const PushedPlane& plane : planes.all())
-      if (outside(box, plane)) return false;
+      if (plane.is_beyond(box)) return false;
     return true;
   }
 
-  Narrowed city_;
+  Vec3d origin_;
   Vec3 reach_;
+  std::vector<Corners> boxes_;
 };
 
 }  // namespace

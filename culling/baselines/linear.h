@@ -8,5 +8,7 @@ namespace manzana::baselines {
 std::unique_ptr<Peer> make_none(const City& city);
 /// One box after the other, its farthest corner against plane after plane, in float.
 std::unique_ptr<Peer> make_linear(const City& city);
+/// Sixteen spheres at once against all planes, in float.
+std::unique_ptr<Peer> make_linear_simd(const City& city);
 
 }  // namespace manzana::baselines

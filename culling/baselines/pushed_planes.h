@@ -9,11 +9,23 @@
 
 namespace manzana::baselines {
 
+/// A box by its coordinates: min x, y, z, then max x, y, z.
+using Corners = std::array<float, 6>;
+inline Corners to_corners(const culling::Box& box) {
+  return {box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z};
+}
+
 /// A shape is certainly outside when it lies below dot(normal, p) + outer = 0 of some plane, and certainly on the kept
 /// side of a plane when it lies above dot(normal, p) + inner = 0.
 struct PushedPlane {
   Vec3 normal{0, 0, 0};
   float outer = 0, inner = 0;
+  std::array<std::uint32_t, 3> best{},
+      worst{};  ///< the coordinates of the corners farthest along the normal, and least
+
+  bool is_beyond(const Corners& box) const {
+    return normal.x * box[best[0]] + normal.y * box[best[1]] + normal.z * box[best[2]] + outer < 0;
+  }
 };
 
 struct PushedPlanes {

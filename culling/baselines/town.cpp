@@ -125,10 +125,10 @@ class BlockMaker {
 };
 
 /// Blocks in pairs, one as much above the average as the other is below it, so that the sum is known.
-std::uint32_t objects_of(std::uint32_t block, std::uint32_t blocks, std::uint64_t seed) {
-  if ((block | 1U) >= blocks) return kObjectsPerBlock;
+std::uint32_t objects_of(const TownPlan& plan, std::uint32_t block, std::uint64_t seed) {
+  if ((block | 1U) >= plan.blocks) return plan.per_block;
   const std::uint32_t more = Dice(seed, block / 2).below(11);
-  return block % 2 == 0 ? kObjectsPerBlock + more : kObjectsPerBlock - more;
+  return block % 2 == 0 ? plan.per_block + more : plan.per_block - more;
 }
 
 /// Cars have the paper's; the rest goes to houses and trees, by chance, five times as many to a house.
@@ -158,7 +158,7 @@ City grow_town(const TownPlan& plan, std::uint64_t seed) {
   City city;
   for (std::uint32_t b = 0; b < plan.blocks; ++b)
     BlockMaker(xs[b % plan.columns], ys[b / plan.columns], Dice(seed, kBlocks + b))
-        .fill(objects_of(b, plan.blocks, hash_bits(seed, kCounts)), city);
+        .fill(objects_of(plan, b, hash_bits(seed, kCounts)), city);
   share_triangles(city, plan.triangles, Dice(seed, kTriangles));
   return city;
 }
