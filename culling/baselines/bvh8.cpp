@@ -19,8 +19,7 @@ constexpr hn::RebindToSigned<Tag> kBits;
 constexpr std::size_t kLanes = hn::MaxLanes(kTag);
 
 /// Signed distances of eight corners, `offset` from the plane.
-Lanes distance(const Boxes8& boxes, const Vec3& normal, const std::array<std::uint32_t, 3>& corner, std::size_t from,
-               float offset) {
+Lanes distance(const Boxes8& boxes, const Vec3& normal, const CornerPlaces& corner, std::size_t from, float offset) {
   const auto at = [&](std::size_t axis) { return hn::Load(kTag, &boxes.columns[corner[axis]][from]); };
   const Lanes x = hn::Mul(hn::Set(kTag, normal.x), at(0));
   const Lanes xyz = hn::MulAdd(hn::Set(kTag, normal.z), at(2), hn::MulAdd(hn::Set(kTag, normal.y), at(1), x));

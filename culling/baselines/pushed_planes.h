@@ -9,23 +9,27 @@
 
 namespace manzana::baselines {
 
-/// A box by its coordinates: min x, y, z, then max x, y, z.
+/// A closed box: min x, y, z, max x, y, z; metres, float, relative to an origin that its owner names.
 using Corners = std::array<float, 6>;
 inline Corners to_corners(const culling::Box& box) {
   return {box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z};
 }
+
+/// Where the coordinates of a corner lie in Corners.
+using CornerPlaces = std::array<std::uint32_t, 3>;
 
 /// A shape is certainly outside when it lies below dot(normal, p) + outer = 0 of some plane, and certainly on the kept
 /// side of a plane when it lies above dot(normal, p) + inner = 0.
 struct PushedPlane {
   Vec3 normal{0, 0, 0};
   float outer = 0, inner = 0;
-  std::array<std::uint32_t, 3> best{},
-      worst{};  ///< the coordinates of the corners farthest along the normal, and least
+  CornerPlaces best{}, worst{};  ///< the corner farthest along the normal, and the one least far
 
-  bool is_beyond(const Corners& box) const {
-    return normal.x * box[best[0]] + normal.y * box[best[1]] + normal.z * box[best[2]] + outer < 0;
+  float along(const Corners& box, const CornerPlaces& at) const {
+    return normal.x * box[at[0]] + normal.y * box[at[1]] + normal.z * box[at[2]];
   }
+  bool is_beyond(const Corners& box) const { return along(box, best) + outer < 0; }
+  bool is_before(const Corners& box) const { return along(box, worst) + inner > 0; }
 };
 
 struct PushedPlanes {
