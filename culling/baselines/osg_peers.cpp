@@ -18,21 +18,16 @@ namespace {
 using culling::BoxD;
 using culling::FrustumD;
 
-constexpr std::uint32_t kMostPerLeaf = 16;
+constexpr std::uint32_t kMostPerLeaf = 32;  // from 8 to 64 the fastest, by a little
 constexpr int kMostDepth = 30;
 
 osg::Vec3f to_osg(const Vec3& v) { return {v.x, v.y, v.z}; }
 osg::Vec3d to_osg(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
 /// An object: its bounds, and nothing to draw.
-class Shape : public osg::Drawable {
- public:
-  Shape(const osg::BoundingBox& box, std::uint32_t at) : position(at), box_(box) { getBound(); }
-  osg::BoundingBox computeBoundingBox() const override { return box_; }
+struct Shape : osg::Drawable {
+  Shape(const osg::BoundingBox& box, std::uint32_t at) : position(at) { setInitialBound(box); }
   const std::uint32_t position;
-
- private:
-  osg::BoundingBox box_;
 };
 
 /// A cell of the quadtree; its objects are at [first, last).
@@ -68,7 +63,7 @@ class Builder {
     const Vec2d low(city_.bounds.min), size(city_.bounds.max - city_.bounds.min);
     const std::size_t before = heap();
     scene.root = cell(0, city_.objects(), {low, std::max(size.x, size.y)}, 0);
-    scene.root->getBound();
+    scene.root->getBound();  // of everything below as well
     scene.bytes = heap() - before;
     scene.order = std::move(order_);
     return scene;
