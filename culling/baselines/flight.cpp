@@ -16,9 +16,9 @@ struct Stop {
 
 /// The five legs between them: along the outskirts, the walk in, the climb, the turn down, the dive.
 constexpr std::array kStops{
-    Stop{0.00, {-1.35, -0.40}, 1.7, 0.05, 0.0}, Stop{0.07, {-1.00, 0.05}, 1.7, 0.05, 0.0},
-    Stop{0.20, {0.28, 0.05}, 1.7, 0.05, 0.0},   Stop{0.55, {0.28, 0.05}, 80, 0.05, 0.0},
-    Stop{0.62, {0.28, 0.05}, 80, 0.67, -1.3},   Stop{1.00, {0.93, 0.85}, 1.7, 0.67, -0.3},
+    Stop{0.00, {-1.35, -0.40}, 1.7, 0.04, 0.0}, Stop{0.10, {-1.00, 0.02}, 1.7, 0.04, 0.0},
+    Stop{0.19, {0.32, 0.02}, 1.7, 0.04, 0.0},   Stop{0.50, {0.32, 0.02}, 75, 0.04, 0.0},
+    Stop{0.60, {0.32, 0.02}, 75, 0.57, -1.24},  Stop{1.00, {0.95, 0.85}, 1.7, 0.57, -0.2},
 };
 
 Stop between(const Stop& a, const Stop& b, double t) {

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "culling/hash.h"
+#include "culling/baselines/random.h"
 
 namespace manzana::baselines {
 namespace {
@@ -12,17 +12,8 @@ namespace {
 using culling::BlockVolume;
 using culling::BoxD;
 
-/// Numbers by chance, one after the other.
-class Dice {
- public:
-  Dice(std::uint64_t seed, std::uint64_t stream) : seed_(hash_bits(seed, stream)) {}
-  double in(double low, double high) { return low + (high - low) * hash_unit(seed_, next_++); }
-  std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(hash_bits(seed_, next_++) % n); }
-  bool chance(double p) { return in(0, 1) < p; }
-
- private:
-  std::uint64_t seed_, next_ = 0;
-};
+/// The numbers of one purpose.
+Random dice(std::uint64_t seed, std::uint64_t purpose) { return Random(hash_bits(seed, purpose)); }
 
 /// Closed rectangle of the plane.
 struct Rect {
@@ -40,7 +31,7 @@ struct Stretch {
 
 double half_street(std::uint32_t i) { return i % 5 == 0 ? 15.0 : 7.0; }  // every fifth is an avenue
 
-std::vector<Stretch> stretches(std::uint32_t count, Dice dice) {
+std::vector<Stretch> stretches(std::uint32_t count, Random dice) {
   std::vector<Stretch> all;
   double at = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -55,7 +46,7 @@ std::vector<Stretch> stretches(std::uint32_t count, Dice dice) {
 /// Lives for one block.
 class BlockMaker {
  public:
-  BlockMaker(const Stretch& x, const Stretch& y, Dice dice)
+  BlockMaker(const Stretch& x, const Stretch& y, Random dice)
       : cell_{{x.street, y.street}, {x.next_street, y.next_street}},
         kerb_{{x.low, y.low}, {x.high, y.high}},
         dice_(dice) {
@@ -121,18 +112,18 @@ class BlockMaker {
   }
 
   Rect cell_, kerb_, ground_;  ///< to the middles of its streets; to the kerb; what is built on
-  Dice dice_;
+  Random dice_;
 };
 
 /// Blocks in pairs, one as much above the average as the other is below it, so that the sum is known.
 std::uint32_t objects_of(const TownPlan& plan, std::uint32_t block, std::uint64_t seed) {
   if ((block | 1U) >= plan.blocks) return plan.per_block;
-  const std::uint32_t more = Dice(seed, block / 2).below(11);
+  const std::uint32_t more = static_cast<std::uint32_t>(dice(seed, block / 2).below(11));
   return block % 2 == 0 ? plan.per_block + more : plan.per_block - more;
 }
 
 /// Cars have the paper's; the rest goes to houses and trees, by chance, five times as many to a house.
-void share_triangles(City& city, std::uint64_t total, Dice dice) {
+void share_triangles(City& city, std::uint64_t total, Random dice) {
   std::vector<double> sum{0};
   std::uint64_t rest = total;
   for (const ObjectKind kind : city.kinds) {
@@ -154,12 +145,12 @@ void share_triangles(City& city, std::uint64_t total, Dice dice) {
 City grow_town(const TownPlan& plan, std::uint64_t seed) {
   enum Stream : std::uint64_t { kColumns, kRows, kCounts, kTriangles, kBlocks };
   const std::uint32_t rows = (plan.blocks + plan.columns - 1) / plan.columns;
-  const auto xs = stretches(plan.columns, Dice(seed, kColumns)), ys = stretches(rows, Dice(seed, kRows));
+  const auto xs = stretches(plan.columns, dice(seed, kColumns)), ys = stretches(rows, dice(seed, kRows));
   City city;
   for (std::uint32_t b = 0; b < plan.blocks; ++b)
-    BlockMaker(xs[b % plan.columns], ys[b / plan.columns], Dice(seed, kBlocks + b))
+    BlockMaker(xs[b % plan.columns], ys[b / plan.columns], dice(seed, kBlocks + b))
         .fill(objects_of(plan, b, hash_bits(seed, kCounts)), city);
-  share_triangles(city, plan.triangles, Dice(seed, kTriangles));
+  share_triangles(city, plan.triangles, dice(seed, kTriangles));
   return city;
 }
 
