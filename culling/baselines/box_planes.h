@@ -1,8 +1,7 @@
 #pragma once
 /// The planes of one query, for boxes that are tested one at a time: the scalar trees of the benchmark.
 ///   const BoxPlanes planes(frustum, origin, reach);           // once a query
-///   unsigned crossed = planes.crossed(box, BoxPlanes::kAll);  // kOutside, 0: inside, else what to ask of what is
-///   below
+///   unsigned crossed = planes.crossed(box, BoxPlanes::kAll);  // kOutside, 0: inside, else the mask for what is below
 #include <bit>
 
 #include "culling/baselines/pushed_planes.h"
