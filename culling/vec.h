@@ -9,6 +9,7 @@ using Vec3 = glm::vec3;
 using Vec4 = glm::vec4;
 using Vec2d = glm::dvec2;
 using Vec3d = glm::dvec3;
+using Vec4d = glm::dvec4;
 using Mat3 = glm::mat3;
 using Mat3d = glm::dmat3;
 using Mat4 = glm::mat4;

@@ -124,18 +124,26 @@ constexpr double kMargin64 = 8 * DBL_EPSILON / 2;
 
 double end_margin(double end) { return std::isfinite(end) ? kMargin64 * std::abs(end) : 0; }
 
-enum class Apart : std::uint8_t { no, yes, unsure };
-
-/// Of the box low..high, relative to the eye, along one axis; only what double is certain of.
-Apart apart(const ExactView::Axis& axis, const Vec3d& low, const Vec3d& high) {
+/// How far the box low..high, relative to the eye, reaches into the interval of an axis from either end, metres, and
+/// what double may have lost of that.
+struct Reach {
+  double above, below, margin;
+};
+Reach reach(const ExactView::Axis& axis, const Vec3d& low, const Vec3d& high) {
   const Vec3d a = axis.direction * low, b = axis.direction * high;
   const Vec3d least = glm::min(a, b), most = glm::max(a, b), size = glm::max(glm::abs(a), glm::abs(b));
-  const double margin = kMargin64 * (size.x + size.y + size.z);
-  const double above = most.x + most.y + most.z - axis.low;  // how far the box reaches into the interval, from below
-  const double below = axis.high - (least.x + least.y + least.z);
-  const double margin_low = margin + end_margin(axis.low), margin_high = margin + end_margin(axis.high);
-  if (above < -margin_low || below < -margin_high) return Apart::yes;
-  return above > margin_low && below > margin_high ? Apart::no : Apart::unsure;
+  return {most.x + most.y + most.z - axis.low, axis.high - (least.x + least.y + least.z),
+          kMargin64 * (size.x + size.y + size.z)};
+}
+
+enum class Apart : std::uint8_t { no, yes, unsure };
+
+/// Only what double is certain of.
+Apart apart(const ExactView::Axis& axis, const Vec3d& low, const Vec3d& high) {
+  const Reach at = reach(axis, low, high);
+  const double margin_low = at.margin + end_margin(axis.low), margin_high = at.margin + end_margin(axis.high);
+  if (at.above < -margin_low || at.below < -margin_high) return Apart::yes;
+  return at.above > margin_low && at.below > margin_high ? Apart::no : Apart::unsure;
 }
 
 /// Certainly inside all planes.
@@ -181,6 +189,17 @@ bool exactly_overlaps(const ExactView& view, const BoxD& box) {
   for (std::size_t i = 0; i < view.axes.size(); ++i)
     if ((unsure >> i & 1) != 0 && exactly_apart(view.exact->axes[i], exact_low, exact_high)) return false;
   return true;
+}
+
+double reach_into(const ExactView& view, const BoxD& box) {
+  if (!exactly_overlaps(view, box)) return 0;
+  const Vec3d low = box.min - view.eye, high = box.max - view.eye;
+  double least = kInf;
+  for (const ExactView::Axis& axis : view.axes) {
+    const Reach at = reach(axis, low, high);
+    least = std::min({least, at.above, at.below});
+  }
+  return std::max(least, 0.0);
 }
 
 std::vector<bool> exactly_visible(const View& view, std::span<const BoxD> boxes) {

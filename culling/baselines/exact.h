@@ -49,6 +49,10 @@ ExactView make_exact(const Mat4d& projection, const Mat4d& view, ClipDepth depth
 bool exactly_overlaps(const ExactView& view, const BoxD& box);
 inline bool exactly_overlaps(const View& view, const BoxD& box) { return exactly_overlaps(make_exact(view), box); }
 
+/// How far the box must be moved, at least, to leave the view, metres: along the axis that needs least. 0 when it is
+/// not in it. In double.
+double reach_into(const ExactView& view, const BoxD& box);
+
 /// A flag a box.
 std::vector<bool> exactly_visible(const View& view, std::span<const BoxD> boxes);
 

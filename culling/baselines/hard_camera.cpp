@@ -17,20 +17,6 @@ const T& any_of(const std::array<T, N>& all, Random& random) {
   return all[random.below(N)];
 }
 
-/// Half of them are what people use.
-View hard_view(Random& random, const Place& place) {
-  const double fov = random.chance(0.5) ? 60 : any_of(kFieldsDeg, random);
-  const double aspect = random.chance(0.5) ? 16.0 / 9 : random.scale(1e-3, 1e3);
-  const Depths& depths = any_of(kDepths, random);
-  const Vec3d eye = place.at + random.direction() * random.unit();
-  View view = culling::look(eye, random.direction(), random.direction(), glm::radians(fov), aspect, depths.near_m,
-                            depths.far_m);
-  if (random.chance(0.2)) view.tan_left = random.in(-0.5, 0.9) * view.tan_right;
-  if (random.chance(0.2)) view.tan_bottom = random.in(-0.5, 0.9) * view.tan_top;
-  if (random.chance(0.2)) view.right = -view.right;
-  return view;
-}
-
 std::string words(const Place& place, const View& view, std::string_view sort) {
   std::ostringstream out;
   out << sort << ", " << place.name << ", n " << view.near_m << ", f " << view.far_m << ", tangents " << view.tan_left
@@ -74,6 +60,20 @@ HardCamera orthographic(Random& random, const Place& place) {
 }
 
 }  // namespace
+
+/// Half of them are what people use.
+View hard_view(Random& random, const Place& place) {
+  const double fov = random.chance(0.5) ? 60 : any_of(kFieldsDeg, random);
+  const double aspect = random.chance(0.5) ? 16.0 / 9 : random.scale(1e-3, 1e3);
+  const Depths& depths = any_of(kDepths, random);
+  const Vec3d eye = place.at + random.direction() * random.unit();
+  View view = culling::look(eye, random.direction(), random.direction(), glm::radians(fov), aspect, depths.near_m,
+                            depths.far_m);
+  if (random.chance(0.2)) view.tan_left = random.in(-0.5, 0.9) * view.tan_right;
+  if (random.chance(0.2)) view.tan_bottom = random.in(-0.5, 0.9) * view.tan_top;
+  if (random.chance(0.2)) view.right = -view.right;
+  return view;
+}
 
 HardCamera hard_camera(Random& random, const Place& place) {
   const double sort = random.unit();

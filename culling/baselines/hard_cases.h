@@ -20,6 +20,9 @@ struct HardCamera {
   std::string what;           ///< for messages
 };
 
+/// A perspective of any sort.
+culling::View hard_view(Random& random, const Place& place);
+
 /// Of any sort, the eye within a metre of the place: a View or a host's matrices, perspective or orthographic, finite
 /// or not, narrow to wide, off the axis, mirrored, of any scale, through float.
 HardCamera hard_camera(Random& random, const Place& place);

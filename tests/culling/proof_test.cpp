@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "culling/baselines/hard_cases.h"
+#include "culling/baselines/naive.h"
 #include "culling/baselines/peer.h"
 
 namespace manzana::baselines {
@@ -118,6 +119,28 @@ TEST_CASE("the BqR-Tree loses nothing, at full length", "[.long]") {
 TEST_CASE("no peer loses anything, wherever it is asked") {
   for (const PeerInfo& info : peers())
     if (info.available && info.slug != "none") check(info, 93, 100, {.objects = 1000});
+}
+
+/// The proof can fail: without margins the same objects are lost, those that touch even by double.
+TEST_CASE("ways without a margin lose objects of the same cities") {
+  std::array<Count, 8> counts;
+  REQUIRE(naive_ways().size() <= counts.size());
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    Random random(hash_bits(94, i));
+    const culling::View view = hard_view(random, kPlaces[4 + i % 3]);
+    const culling::ExactView truth = make_exact(view);
+    const HardCity hard = hard_city(truth, random, {.objects = 200, .tangent_share = 0.5});
+    std::vector<bool> seen;
+    for (const culling::BoxD& box : hard.city.boxes) seen.push_back(exactly_overlaps(truth, box));
+    for (std::size_t way = 0; way < naive_ways().size(); ++way) {
+      const std::vector<bool> kept = naive_ways()[way].kept(view, hard.city.boxes);
+      for (std::size_t k = 0; k < seen.size(); ++k) counts[way].add(seen[k], kept[k]);
+    }
+  }
+  for (std::size_t way = 0; way < naive_ways().size(); ++way) {
+    print("without a margin", naive_ways()[way].slug, counts[way]);
+    CHECK(counts[way].lost > 100);
+  }
 }
 
 }  // namespace
