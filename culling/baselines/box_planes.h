@@ -12,17 +12,28 @@ class BoxPlanes {
  public:
   static constexpr unsigned kAll = 0xFF, kOutside = ~0U;
 
-  /// For boxes relative to `origin`, with no coordinate larger than `reach`.
+  /// For shapes relative to `origin`, with no coordinate larger than `reach`.
   BoxPlanes(const culling::FrustumD& frustum, const Vec3d& origin, const Vec3& reach)
       : pushed_(push_out(narrow(frustum, origin), reach)), used_((1U << pushed_.count) - 1U) {}
 
-  /// Bit k of the result: of the planes of `mask`, the box may reach beyond plane k. A plane with a NaN never culls.
+  /// Bit k of the result: of the planes of `mask`, the shape may reach beyond plane k. A plane with a NaN never culls.
   unsigned crossed(const Corners& box, unsigned mask) const {
     unsigned result = 0;
     for (mask &= used_; mask != 0; mask &= mask - 1) {
       const PushedPlane& plane = pushed_.planes[static_cast<std::size_t>(std::countr_zero(mask))];
       if (plane.is_beyond(box)) return kOutside;
       if (!plane.is_before(box)) result |= mask & -mask;
+    }
+    return result;
+  }
+
+  unsigned crossed(const culling::Sphere& sphere, unsigned mask) const {
+    unsigned result = 0;
+    for (mask &= used_; mask != 0; mask &= mask - 1) {
+      const PushedPlane& plane = pushed_.planes[static_cast<std::size_t>(std::countr_zero(mask))];
+      const float s = glm::dot(plane.normal, sphere.center);
+      if (s + plane.outer < -sphere.radius) return kOutside;
+      if (!(s + plane.inner > sphere.radius)) result |= mask & -mask;
     }
     return result;
   }

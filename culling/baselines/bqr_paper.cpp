@@ -5,22 +5,25 @@
 #include <numeric>
 
 #include "culling/baselines/block_rows.h"
+#include "culling/baselines/box_planes.h"
 #include "culling/baselines/narrowed.h"
-#include "culling/baselines/pushed_planes.h"
 #include "culling/baselines/run_list.h"
 
 namespace manzana::baselines {
 namespace {
 
 using culling::BlockVolume;
-using culling::Overlap;
 using culling::Sphere;
+
+constexpr int kDeepest = 31;  ///< of quadrants: 100 km / 2^31 = 47 um
+constexpr std::size_t kMostLevels = kDeepest + 2;
 
 /// Depth first: the root is node 0, a node's descendants follow it, and the leaves of a node are one run.
 struct Node {
   Sphere bounds;                      ///< encloses all leaves below
   std::uint32_t first = 0, last = 0;  ///< leaves [first, last)
   std::uint32_t skip = 0;             ///< the first node after this one's descendants
+  std::uint32_t level = 0;            ///< the number of nodes above it
   bool leaf() const { return last - first == 1; }
 };
 
@@ -55,8 +58,6 @@ class Builder {
   }
 
  private:
-  static constexpr int kDeepest = 31;
-
   /// The smallest square round all centres.
   Quadrant root() const {
     Vec2d low = blocks_[0].center, high = low;
@@ -77,8 +78,10 @@ class Builder {
                                          [&](std::uint32_t a, std::uint32_t b) { return b - a == last - first; });
     if (full != ends.end()) return grow(child_of(q, static_cast<unsigned>(full - ends.begin())), first, last);
     const std::size_t node = add_node(first, last);
+    ++level_;
     for (unsigned which = 0; which < 4; ++which)
       if (ends[which] < ends[which + 1]) grow(child_of(q, which), ends[which], ends[which + 1]);
+    --level_;
     close(node);
   }
 
@@ -100,14 +103,16 @@ class Builder {
   }
 
   std::size_t add_node(std::uint32_t first, std::uint32_t last) {
-    tree_.nodes.push_back({Sphere{}, first, last, 0});
+    tree_.nodes.push_back({Sphere{}, first, last, 0, level_});
     return tree_.nodes.size() - 1;
   }
   void close(std::size_t node) { tree_.nodes[node].skip = static_cast<std::uint32_t>(tree_.nodes.size()); }
   void add_leaf(std::uint32_t leaf) { close(add_node(leaf, leaf + 1)); }
   void add_siblings(std::uint32_t first, std::uint32_t last) {
     const std::size_t node = add_node(first, last);
+    ++level_;
     for (std::uint32_t leaf = first; leaf < last; ++leaf) add_leaf(leaf);
+    --level_;
     close(node);
   }
 
@@ -129,23 +134,8 @@ class Builder {
 
   std::span<const BlockVolume> blocks_;
   Tree tree_;
+  std::uint32_t level_ = 0;
 };
-
-Overlap overlap(const PushedPlanes& planes, const Sphere& sphere) {
-  bool inside = true;
-  for (const PushedPlane& plane : planes.all()) {
-    const float s = glm::dot(plane.normal, sphere.center);
-    if (s + plane.outer < -sphere.radius) return Overlap::outside;
-    inside = inside && s + plane.inner > sphere.radius;
-  }
-  return inside ? Overlap::inside : Overlap::crosses;
-}
-
-bool outside(const PushedPlanes& planes, const Corners& box) {
-  for (const PushedPlane& plane : planes.all())
-    if (plane.is_beyond(box)) return true;
-  return false;
-}
 
 class BqrPaper : public Peer {
  public:
@@ -153,17 +143,18 @@ class BqrPaper : public Peer {
       : tree_(Builder(city.blocks, origin_of(city)).run()), rows_(rows_of(city, tree_.order)) {}
 
   void query(const culling::FrustumD& frustum, Answer& answer) override {
-    const PushedPlanes planes = push_out(narrow(frustum, tree_.origin), tree_.reach);
     answer.runs.clear();
+    if (tree_.nodes.empty()) return;
+    const BoxPlanes planes(frustum, tree_.origin, tree_.reach);
+    std::array<unsigned, kMostLevels> masks{BoxPlanes::kAll};  // what a node's parent reaches beyond, by level
     for (std::uint32_t i = 0; i < tree_.nodes.size();) {
       const Node& node = tree_.nodes[i];
-      const Overlap where = ask(planes, node);
-      if (where == Overlap::crosses && !node.leaf()) {
-        ++i;
-        continue;
-      }
-      if (where != Overlap::outside) append(answer.runs, rows_.first[node.first], rows_.first[node.last]);
-      i = node.skip;
+      const unsigned crossed = ask(planes, node, masks[node.level]);
+      const bool descend = crossed != BoxPlanes::kOutside && crossed != 0 && !node.leaf();
+      if (descend) masks[node.level + 1] = crossed;
+      if (crossed != BoxPlanes::kOutside && !descend)
+        append(answer.runs, rows_.first[node.first], rows_.first[node.last]);
+      i = descend ? i + 1 : node.skip;
     }
   }
 
@@ -175,10 +166,10 @@ class BqrPaper : public Peer {
   }
 
  private:
-  Overlap ask(const PushedPlanes& planes, const Node& node) const {
-    const Overlap where = overlap(planes, node.bounds);
-    if (where == Overlap::crosses && node.leaf() && outside(planes, tree_.boxes[node.first])) return Overlap::outside;
-    return where;
+  unsigned ask(const BoxPlanes& planes, const Node& node, unsigned mask) const {
+    const unsigned crossed = planes.crossed(node.bounds, mask);
+    if (crossed == BoxPlanes::kOutside || crossed == 0 || !node.leaf()) return crossed;
+    return planes.outside(tree_.boxes[node.first], crossed) ? BoxPlanes::kOutside : crossed;
   }
 
   Tree tree_;

@@ -1,5 +1,6 @@
 #pragma once
-/// The BqR-Tree as its paper has it, written plainly: one node at a time, one plane at a time, whole blocks.
+/// The BqR-Tree as its paper has it, written plainly: one node at a time, against one plane after the other (those that
+/// the node above reaches beyond), whole blocks.
 /// [Pina, Cerezo, Seron: Bq-Rtree (2009), section 3]
 #include "culling/baselines/peer.h"
 
