@@ -54,23 +54,23 @@ class Visit {
     append_bits(runs_, first, present & ask(tree_.packets[first / 8], planes));
   }
 
-  /// Bit i: box i is not outside.
+  /// Bit i: box i is not outside. A NaN keeps it in.
   std::uint32_t ask(const Boxes8& boxes, unsigned planes) const {
-    std::uint32_t seen = 0;
+    std::uint32_t outside = 0;
     for (std::size_t from = 0; from < 8; from += kLanes) {
       Lanes least = hn::Zero(kTag);
       for (unsigned left = planes; left != 0; left &= left - 1) {
         const PushedPlane& p = planes_[static_cast<std::size_t>(std::countr_zero(left))];
         least = hn::Min(least, distance(boxes, p.normal, p.best, from, p.outer));
       }
-      seen |= bits(hn::Ge(least, hn::Zero(kTag))) << from;
+      outside |= bits(hn::Lt(least, hn::Zero(kTag))) << from;
     }
-    return seen;
+    return ~outside;
   }
 
   /// And for each box, the planes that it may reach beyond.
   std::uint32_t ask(const Boxes8& boxes, unsigned planes, std::array<std::int32_t, 8>& crossed) const {
-    std::uint32_t seen = 0;
+    std::uint32_t outside = 0;
     for (std::size_t from = 0; from < 8; from += kLanes) {
       Lanes least = hn::Zero(kTag);
       auto beyond = hn::Zero(kBits);
@@ -83,9 +83,9 @@ class Visit {
         beyond = hn::Or(beyond, hn::IfThenElseZero(hn::RebindMask(kBits, crosses), bit));
       }
       hn::Store(beyond, kBits, &crossed[from]);
-      seen |= bits(hn::Ge(least, hn::Zero(kTag))) << from;
+      outside |= bits(hn::Lt(least, hn::Zero(kTag))) << from;
     }
-    return seen;
+    return ~outside;
   }
 
   static std::uint32_t bits(hn::Mask<Tag> mask) {

@@ -2,8 +2,9 @@
 /// The generated cities of the benchmark, and the camera's flight: the same on every machine.
 ///   City city = make_city(*find_case("100k"), 1);
 ///   for (int i = 0; i < n; ++i) View view = flight(city, find_case("100k")->far_m, i / (n - 1.0));
-/// C1 to C6 follow section 4.1 of Pina 2009: 96 blocks; C1 has 367 000 triangles and C2 has 1 688 023 in the same
-/// volume; C3, C4, C5 are C2 with one C1 beside it along x, y, the diagonal; C6 is C2 with three C1.
+/// C1 to C6 follow section 4.1 of Pina 2009: C1 and C2 are 96 blocks with 2 976 objects in the same volume, of 367 000
+/// and of 1 688 023 triangles; C3, C4, C5 are C2 with one C1 beside it along x, y, the diagonal; C6 is C2 with three
+/// C1.
 #include <string_view>
 
 #include "culling/baselines/city.h"

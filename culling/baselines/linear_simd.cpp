@@ -47,22 +47,22 @@ struct WidePlanes {
         f(planes.planes[5]),
         six(planes.count == 6) {}
 
-  /// Bit i: sphere i is not outside.
+  /// Bit i: sphere i is not outside. A NaN keeps it in.
   std::uint32_t seen(const Packet& packet) const {
     std::uint32_t bits = 0;
-    for (std::size_t from = 0; from < kWide; from += kLanes) bits |= seen(packet, from) << from;
-    return bits;
+    for (std::size_t from = 0; from < kWide; from += kLanes) bits |= outside(packet, from) << from;
+    return ~bits & 0xFFFFU;
   }
 
  private:
-  std::uint32_t seen(const Packet& packet, std::size_t from) const {
+  std::uint32_t outside(const Packet& packet, std::size_t from) const {
     const Lanes ab = hn::Min(a.distance(packet, from), b.distance(packet, from));
     const Lanes cd = hn::Min(c.distance(packet, from), d.distance(packet, from));
     Lanes least = hn::Min(hn::Min(ab, cd), e.distance(packet, from));
     if (six) least = hn::Min(least, f.distance(packet, from));
-    const auto inside = hn::Ge(hn::Add(least, hn::Load(kTag, &packet.radius[from])), hn::Zero(kTag));
+    const auto out = hn::Lt(hn::Add(least, hn::Load(kTag, &packet.radius[from])), hn::Zero(kTag));
     std::array<std::uint8_t, 8> bytes{};
-    hn::StoreMaskBits(kTag, inside, bytes.data());
+    hn::StoreMaskBits(kTag, out, bytes.data());
     return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
   }
 
