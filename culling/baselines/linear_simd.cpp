@@ -16,10 +16,9 @@ constexpr Tag kTag;
 constexpr std::size_t kLanes = hn::MaxLanes(kTag);
 using Lanes = hn::Vec<Tag>;
 
-/// Four cache lines of spheres; one without an object has the radius -infinity.
+/// Four cache lines of spheres.
 struct alignas(64) Packet {
   std::array<float, kWide> x{}, y{}, z{}, radius{};
-  Packet() { radius.fill(-std::numeric_limits<float>::infinity()); }
 };
 
 /// A plane in every lane.
@@ -72,7 +71,8 @@ struct WidePlanes {
 
 class LinearSimd : public Peer {
  public:
-  explicit LinearSimd(const City& city) : origin_(origin_of(city)), packets_((city.boxes.size() + kWide - 1) / kWide) {
+  explicit LinearSimd(const City& city)
+      : origin_(origin_of(city)), objects_(city.objects()), packets_((city.boxes.size() + kWide - 1) / kWide) {
     for (std::size_t i = 0; i < city.boxes.size(); ++i)
       put(packets_[i / kWide], i % kWide, narrow(culling::enclosing_sphere(city.boxes[i]), origin_));
   }
@@ -80,7 +80,11 @@ class LinearSimd : public Peer {
   void query(const culling::FrustumD& frustum, Answer& answer) override {
     const WidePlanes planes(push_out(narrow(frustum, origin_), reach_));
     answer.runs.clear();
-    for (std::uint32_t i = 0; i < packets_.size(); ++i) append_bits(answer.runs, i * kWide, planes.seen(packets_[i]));
+    std::uint32_t first = 0;
+    for (; first + kWide <= objects_; first += kWide)
+      append_bits(answer.runs, first, planes.seen(packets_[first / kWide]));
+    if (first < objects_)
+      append_bits(answer.runs, first, planes.seen(packets_[first / kWide]) & ((1U << (objects_ - first)) - 1U));
   }
 
   std::size_t bytes() const override { return packets_.size() * sizeof(Packet); }
@@ -95,6 +99,7 @@ class LinearSimd : public Peer {
   }
 
   Vec3d origin_;
+  std::uint32_t objects_;
   std::vector<Packet> packets_;
   Vec3 reach_{0, 0, 0};
 };
