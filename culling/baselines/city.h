@@ -10,7 +10,7 @@
 
 namespace manzana::baselines {
 
-enum class ObjectKind : std::uint8_t { building, tree, car };
+enum class ObjectKind : std::uint8_t { building, tree, car, ground };
 
 struct City {
   std::vector<culling::BlockVolume> blocks;  ///< each encloses all of its objects

@@ -18,9 +18,9 @@ struct Ended {
   std::string out, err;
 };
 
-/// Without a display. `folder` takes its output.
-inline Ended run_program(const std::string& program, const std::filesystem::path& folder,
-                         const std::vector<std::string>& arguments) {
+/// Starts it without a display; `folder` takes its output. Wait for it with wait_for.
+inline pid_t start_program(const std::string& program, const std::filesystem::path& folder,
+                           const std::vector<std::string>& arguments) {
   constexpr rlim_t kMostCpu = 120;  // seconds: a hang ends the test, not the day
   const std::string out = folder / "stdout.txt", err = folder / "stderr.txt";
   std::vector<char*> argv{const_cast<char*>(program.c_str())};
@@ -38,6 +38,10 @@ inline Ended run_program(const std::string& program, const std::filesystem::path
     execv(program.c_str(), argv.data());
     _exit(127);
   }
+  return child;
+}
+
+inline Ended wait_for(pid_t child, const std::filesystem::path& folder) {
   int status = 0;
   rusage usage{};
   REQUIRE(wait4(child, &status, 0, &usage) == child);
@@ -45,6 +49,11 @@ inline Ended run_program(const std::string& program, const std::filesystem::path
     return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) * 1e-6;
   };
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-          seconds(usage.ru_utime) + seconds(usage.ru_stime), static_cast<double>(usage.ru_maxrss) / 1024, read_all(out),
-          read_all(err)};
+          seconds(usage.ru_utime) + seconds(usage.ru_stime), static_cast<double>(usage.ru_maxrss) / 1024,
+          read_all(folder / "stdout.txt"), read_all(folder / "stderr.txt")};
+}
+
+inline Ended run_program(const std::string& program, const std::filesystem::path& folder,
+                         const std::vector<std::string>& arguments) {
+  return wait_for(start_program(program, folder, arguments), folder);
 }

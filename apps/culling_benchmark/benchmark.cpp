@@ -1,0 +1,66 @@
+#include "apps/culling_benchmark/benchmark.h"
+
+#include <cstdio>
+
+#include "apps/common/whole_file.h"
+#include "apps/culling_benchmark/child.h"
+#include "apps/culling_benchmark/frame_table.h"
+#include "apps/culling_benchmark/plots.h"
+#include "apps/culling_benchmark/report.h"
+#include "apps/culling_benchmark/rules.h"
+#include "apps/culling_benchmark/run.h"
+#include "apps/culling_benchmark/summary.h"
+#include "apps/culling_benchmark/workload.h"
+
+namespace manzana::culling_benchmark {
+namespace {
+
+std::string columns_md() {
+  return "# Columns\nAn empty cell is a value that was not measured.\n\n## summary.csv\n" + explain(summary_columns()) +
+         "\n## runs.csv\n" + explain(run_columns()) + "\n## frames/CASE_PEER.csv (first process)\n" +
+         explain(frame_columns());
+}
+
+/// What ended in the middle of writing a file leaves its part.
+void remove_parts(const std::filesystem::path& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension().string().starts_with(".part")) std::filesystem::remove(entry.path());
+}
+
+int time_all(const Options& options, const std::vector<std::string>& arguments) {
+  for (const std::string& name : cases_of(options)) look_up_case(name);
+  apps::make_folder(options.out);
+  remove_parts(options.out);
+  const auto rows = run_all(options, arguments);
+  const auto table = summarise(options, rows);
+  const auto wrong = faults(rows);
+  apps::write_whole(options.out / "summary.csv", to_csv(table));
+  apps::write_whole(options.out / "columns.md", columns_md());
+  const auto plots = write_plots(options, table);
+  apps::write_whole(options.out / "report.md", report_md(options, table, wrong, plots));
+  std::printf("written to %s; read report.md first\n", options.out.c_str());
+  for (const std::string& line : wrong) std::fprintf(stderr, "WRONG: %s\n", line.c_str());
+  return wrong.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+int run_benchmark(const Options& options, const std::vector<std::string>& arguments) {
+  if (options.list) {
+    std::fputs(list_text().c_str(), stdout);
+    return 0;
+  }
+  if (options.process > 0) {
+    run_process(options);
+    return 0;
+  }
+  watch_for_interrupts();
+  try {
+    return time_all(options, arguments);
+  } catch (const Interrupted&) {
+    std::fprintf(stderr, "interrupted: the same command goes on from what is finished in %s\n", options.out.c_str());
+    return 1;
+  }
+}
+
+}  // namespace manzana::culling_benchmark

@@ -1,0 +1,140 @@
+#include "apps/culling_benchmark/report.h"
+
+#include <algorithm>
+
+#include "apps/culling_benchmark/machine.h"
+#include "apps/culling_benchmark/markdown.h"
+#include "apps/culling_benchmark/report_goals.h"
+#include "apps/culling_benchmark/rules.h"
+#include "culling/baselines/cases.h"
+
+namespace manzana::culling_benchmark {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string head_text(const Options& options) {
+  const Machine& m = this_machine();
+  const Rows rows{{"", "what"},         {"processor", m.processor}, {"memory", m.memory},
+                  {"system", m.system}, {"compiler", m.compiler},   {"vector instructions of bqr", m.simd},
+                  {"commit", m.commit}, {"finished", now_utc()},    {"seed", std::to_string(options.seed)}};
+  std::string text = "# Culling benchmark\n\n| " + rows[0][0] + " | |\n|---|---|\n";
+  for (std::size_t i = 1; i < rows.size(); ++i) text += "| " + rows[i][0] + " | " + rows[i][1] + " |\n";
+  return text + "\n";
+}
+
+std::string verdict_text(std::span<const SummaryRow> table, std::span<const std::string> wrong) {
+  if (!wrong.empty()) {
+    std::string text = "**Answers were wrong:**\n";
+    for (const std::string& line : wrong) text += "- **" + line + "**\n";
+    return text + "\n";
+  }
+  std::uint64_t answers = 0, objects = 0;
+  for (const SummaryRow& s : table) {
+    answers += s.frames.value_or(0);
+    objects += s.exact.value_or(0);
+  }
+  return "No object was missed: " + grouped(static_cast<double>(answers)) + " answers were checked, " +
+         grouped(static_cast<double>(objects)) + " objects in view.\n\n";
+}
+
+struct Doubts {
+  std::size_t rows = 0, few_pairs = 0, dirty = 0, few_processes = 0;
+};
+Doubts doubts_of(std::span<const SummaryRow> table, const Rules& rules) {
+  Doubts d;
+  for (const SummaryRow& s : table) {
+    if (!s.measured()) continue;
+    ++d.rows;
+    d.few_pairs += *s.pairs < 50 ? 1 : 0;
+    d.few_processes += *s.processes < static_cast<std::uint64_t>(rules.processes) ? 1 : 0;
+    d.dirty += *s.dirty > 0 ? 1 : 0;
+  }
+  return d;
+}
+
+std::string how_text(const Options& options, std::span<const SummaryRow> table) {
+  const Rules rules = rules_of(options);
+  const Doubts d = doubts_of(table, rules);
+  const auto count = [&](std::size_t n) { return std::to_string(n) + " of " + std::to_string(d.rows) + " rows"; };
+  std::string text =
+      "## How it was timed\n"
+      "One thread. A round is a flight along Pina's figure 4: each query alone between two readings of the steady "
+      "clock, less what a reading costs; its time is the median over the frames. A pair is a round of the structure "
+      "and one of bqr, in an order that chance decides, in one process. *x bqr* is the median over the pairs of one "
+      "time over the other (of the logarithm); for bqr itself, over a second bqr: what the method cannot tell apart. "
+      "In cold cases 96 MiB are read and written between two queries. *exact* are the objects whose box meets the "
+      "view, "
+      "by separating axes in double, in long double where that leaves a doubt; sums are over all frames of the "
+      "flight, in every process again.\n\n";
+  text += rules.processes == 1
+              ? "**Quick**: one process, at least nine pairs; an interval is that of one process (95 % by rank), and "
+                "too narrow by itself. "
+              : "**Full**: " + std::to_string(rules.processes) +
+                    " processes; a figure is the median of their medians, an interval their range (six hold the true "
+                    "median with 96.9 %). Fewer processes than that: " +
+                    count(d.few_processes) + ". ";
+  text += "Fewer than 50 pairs: " + count(d.few_pairs) +
+          ". A loop of fixed work before and after each row, and what "
+          "other programs took, say whether the machine was left to us; rows for which it was not, in up to " +
+          std::to_string(kAttempts) + " attempts, are marked dirty: " + count(d.dirty) + ".\n\n";
+  return text;
+}
+
+std::string interval(const SummaryRow& s) {
+  return digits3(*s.ratio) + " [" + digits3(*s.ratio_lo) + ", " + digits3(*s.ratio_hi) + "]";
+}
+
+/// "Faster" needs the whole interval on one side.
+std::string finding(const SummaryRow& s) {
+  if (s.peer == "bqr") return "";
+  const std::string how = s.grain == "block" ? ", but whole blocks" : "";
+  if (*s.ratio_lo > 1) return "slower" + how;
+  return *s.ratio_hi < 1 ? "faster" + how : "no difference shown";
+}
+
+std::vector<std::string> cells(const SummaryRow& s) {
+  if (!s.measured()) return {s.peer, s.grain, "not available here", "", "", "", "", "", "", "", ""};
+  const double frames = static_cast<double>(*s.frames), exact = static_cast<double>(*s.exact);
+  return {s.peer,
+          s.grain,
+          digits3(*s.median_us),
+          interval(s),
+          finding(s),
+          exact > 0 ? to_cell(static_cast<double>(*s.accepted) / exact) : "-",
+          *s.missed > 0 ? "**" + std::to_string(*s.missed) + "**" : "0",
+          grouped(static_cast<double>(*s.triangles) / frames),
+          digits3(*s.build_ms),
+          digits3(static_cast<double>(*s.bytes) / 1e6),
+          std::to_string(*s.processes) + " x " + std::to_string(*s.pairs) + " x " + std::to_string(*s.timed_frames) +
+              (*s.dirty > 0 ? ", " + std::to_string(*s.dirty) + " dirty" : "")};
+}
+
+std::string case_text(std::span<const SummaryRow> table, const std::string& name, std::span<const Plot> plots) {
+  const baselines::Case* generated = baselines::find_case(name);
+  std::string text = "## " + name + (generated != nullptr ? ": " + std::string(generated->what) : "") + "\n";
+  Rows rows{{"structure", "grain", "us", "x bqr", "than bqr", "accepted / exact", "missed", "triangles a frame",
+             "build ms", "MB", "processes x pairs x frames"}};
+  for (const SummaryRow& s : table)
+    if (s.case_name == name) rows.push_back(cells(s));
+  if (const SummaryRow* bqr = find_row(table, name, "bqr"))
+    text += grouped(static_cast<double>(*bqr->objects)) + " objects in " + grouped(static_cast<double>(*bqr->blocks)) +
+            " blocks; " + std::to_string(*bqr->frames) + " frames.";
+  text += "\n\n" + md_table(rows);
+  for (const Plot& plot : plots)
+    if (plot.title == "The flight through " + name) text += "![" + plot.title + "](" + plot.file + ")\n\n";
+  return text;
+}
+
+}  // namespace
+
+std::string report_md(const Options& options, std::span<const SummaryRow> table, std::span<const std::string> wrong,
+                      std::span<const Plot> plots) {
+  std::string text = head_text(options) + verdict_text(table, wrong) + goals_text(table) + rivals_text(table);
+  for (const Plot& plot : plots)
+    if (plot.file.starts_with("size_")) text += "![" + plot.title + "](" + plot.file + ")\n\n";
+  for (const std::string& name : cases_of(options)) text += case_text(table, name, plots);
+  return text + how_text(options, table);
+}
+
+}  // namespace manzana::culling_benchmark

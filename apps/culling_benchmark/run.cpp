@@ -1,0 +1,130 @@
+#include "apps/culling_benchmark/run.h"
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "apps/common/progress_bar.h"
+#include "apps/common/whole_file.h"
+#include "apps/culling_benchmark/child.h"
+#include "apps/culling_benchmark/measure.h"
+#include "apps/culling_benchmark/rules.h"
+#include "culling/baselines/peer.h"
+
+namespace manzana::culling_benchmark {
+namespace {
+
+constexpr const char* kRow = "row ";
+constexpr const char* kProgress = "at ";  // fraction, a space, the stage
+
+std::vector<RunRow> rows_in(const std::filesystem::path& folder) {
+  std::ifstream in(folder / "runs.csv", std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return read_rows(text.str());
+}
+
+/// Every row that the run must have in the end, as far as it is known before.
+std::vector<RunRow> expected_rows(const Options& options) {
+  std::vector<RunRow> rows;
+  const int processes = rules_of(options).processes;
+  for (const std::string& name : cases_of(options))
+    for (const std::string& slug : options.peers)
+      for (int process = 1; process <= processes && baselines::find_peer(slug)->available; ++process)
+        rows.push_back(expected_row(options, name, slug, process));
+  return rows;
+}
+
+/// Those of another commit, machine, seed and so on are of no use any more.
+std::vector<RunRow> usable(const std::vector<RunRow>& rows, const Options& options) {
+  std::vector<RunRow> kept;
+  for (const RunRow& row : rows) {
+    const RunRow like = expected_row(options, row.case_name, row.peer, static_cast<int>(row.process));
+    if (same_measurement(row, like)) kept.push_back(row);
+  }
+  return kept;
+}
+
+class Parent {
+ public:
+  Parent(const Options& options, const std::vector<std::string>& arguments)
+      : options_(options), arguments_(arguments), wanted_(expected_rows(options)), bar_(stderr) {
+    const auto before = rows_in(options.out);
+    rows_ = usable(before, options);
+    if (rows_.size() < before.size())
+      std::fprintf(stderr, "%s: %zu rows of another commit, machine, seed or mode are measured anew\n",
+                   (options.out / "runs.csv").c_str(), before.size() - rows_.size());
+  }
+
+  std::vector<RunRow> run() {
+    for (int process = 1; process <= rules_of(options_).processes; ++process)
+      if (lacks(process)) start(process);
+    std::vector<RunRow> result;
+    for (const RunRow& wanted : wanted_)
+      for (const RunRow& row : rows_)
+        if (same_measurement(row, wanted)) result.push_back(row);
+    return result;
+  }
+
+ private:
+  bool lacks(int process) const {
+    for (const RunRow& wanted : wanted_)
+      if (wanted.process == static_cast<std::uint64_t>(process) && !is_finished(rows_, wanted)) return true;
+    return false;
+  }
+
+  void start(int process) {
+    std::vector<std::string> command{"/proc/self/exe"};
+    command.insert(command.end(), arguments_.begin(), arguments_.end());
+    command.insert(command.end(), {"--process", std::to_string(process)});
+    const int code = run_child(command, [&](const std::string& line) { hear(line); });
+    if (code == 1) throw std::runtime_error("process " + std::to_string(process) + " failed");
+    if (code != 0)
+      throw std::runtime_error("process " + std::to_string(process) + " ended with " + std::to_string(code));
+    if (lacks(process)) throw std::runtime_error("process " + std::to_string(process) + " did not measure all");
+  }
+
+  void hear(const std::string& line) {
+    if (line.starts_with(kRow)) {
+      if (auto row = from_line(std::string_view(line).substr(4), run_columns())) keep(*std::move(row));
+    } else if (line.starts_with(kProgress)) {
+      std::istringstream in(line.substr(3));
+      double fraction = 0;
+      std::string stage;
+      in >> fraction >> std::ws;
+      std::getline(in, stage);
+      bar_.show(stage, fraction);
+    }
+  }
+
+  void keep(RunRow row) {
+    rows_.push_back(std::move(row));
+    apps::write_whole(options_.out / "runs.csv", to_csv(rows_));
+  }
+
+  const Options& options_;
+  const std::vector<std::string>& arguments_;
+  std::vector<RunRow> wanted_, rows_;
+  apps::ProgressBar bar_;
+};
+
+}  // namespace
+
+std::vector<RunRow> run_all(const Options& options, const std::vector<std::string>& arguments) {
+  return Parent(options, arguments).run();
+}
+
+void run_process(const Options& options) {
+  end_with_parent();
+  const Tell tell{[](const RunRow& row) {
+                    std::printf("%s%s", kRow, to_line(row, run_columns()).c_str());
+                    std::fflush(stdout);
+                  },
+                  [](const std::string& stage, double fraction) {
+                    std::printf("%s%g %s\n", kProgress, fraction, stage.c_str());
+                    std::fflush(stdout);
+                  }};
+  measure(options, usable(rows_in(options.out), options), tell);
+}
+
+}  // namespace manzana::culling_benchmark

@@ -1,0 +1,41 @@
+#pragma once
+/// Two structures timed side by side. A round is one flight, each query timed alone; a pair is a round of each, in an
+/// order that chance decides.
+///   const Plan plan = plan_pairs(limits, cost_us, frames);
+///   const PairTimes times = time_pairs(bqr, peer, work, plan, seed);
+#include <cstdint>
+#include <vector>
+
+#include "apps/culling_benchmark/workload.h"
+#include "culling/baselines/peer.h"
+
+namespace manzana::culling_benchmark {
+
+/// How much is to be measured, and what it may cost. The least is measured whatever it costs.
+struct Limits {
+  double seconds = 1;
+  std::size_t pairs = 50, least_pairs = 9, least_frames = 12;
+};
+
+struct Plan {
+  std::vector<std::size_t> frames;  ///< of the flight, evenly spread
+  std::size_t pairs = 0;
+};
+/// `frame_us`: of both structures together, with all that goes on between their queries. All frames and all pairs if
+/// the time is enough, else fewer frames, and then fewer pairs.
+Plan plan_pairs(const Limits& limits, double frame_us, std::size_t frames);
+
+struct PairTimes {
+  std::vector<double> peer_us, bqr_us;  ///< a row a pair: the median over the round's frames
+  std::vector<double> frame_us;         ///< of the peer: a row a timed frame, the median over the rounds
+};
+PairTimes time_pairs(baselines::Peer& bqr, baselines::Peer& peer, const Workload& work, const Plan& plan,
+                     std::uint64_t seed);
+
+/// What a reading of the clock adds to what is timed, microseconds.
+double clock_overhead_us();
+
+/// Of one stream of memory between two queries of a cold case, microseconds.
+double stream_us();
+
+}  // namespace manzana::culling_benchmark

@@ -1,0 +1,78 @@
+#include "apps/culling_benchmark/truth.h"
+
+#include <bit>
+#include <chrono>
+#include <span>
+
+#include "culling/baselines/sure_exact.h"
+
+namespace manzana::culling_benchmark {
+namespace {
+
+using baselines::Answer;
+using baselines::City;
+using baselines::Peer;
+
+std::uint64_t ones(std::span<const std::uint64_t> bits) {
+  std::uint64_t n = 0;
+  for (const std::uint64_t word : bits) n += static_cast<std::uint64_t>(std::popcount(word));
+  return n;
+}
+
+/// Clears the bit of each object that the answer holds; what is left was missed.
+Counts compare(const Answer& answer, const Peer& peer, const City& city, std::vector<std::uint64_t>& left) {
+  const auto order = peer.order();
+  Counts counts;
+  for (const culling::ObjectRun& run : answer.runs) {
+    counts.accepted += run.last - run.first;
+    for (std::uint32_t at = run.first; at < run.last; ++at) {
+      const std::uint32_t row = order.empty() ? at : order[at];
+      counts.triangles += city.triangles[row];
+      left[row / 64] &= ~(std::uint64_t{1} << row % 64);
+    }
+  }
+  counts.missed = ones(left);
+  return counts;
+}
+
+}  // namespace
+
+Truth find_truth(const Workload& work) {
+  Truth truth;
+  for (const culling::View& view : work.views) {
+    truth.bits.push_back(culling::SureExact(view).visible(work.city.boxes));
+    truth.seen.push_back(ones(truth.bits.back()));
+  }
+  return truth;
+}
+
+std::vector<Counts> check(Peer& peer, const Workload& work, const Truth& truth) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<Counts> frames;
+  Answer answer;
+  std::vector<std::uint64_t> left;
+  for (std::size_t frame = 0; frame < work.frusta.size(); ++frame) {
+    const auto start = Clock::now();
+    peer.query(work.frusta[frame], answer);
+    const double us = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+    left = truth.bits[frame];
+    frames.push_back(compare(answer, peer, work.city, left));
+    frames.back().exact = truth.seen[frame];
+    frames.back().query_us = us;
+  }
+  return frames;
+}
+
+Counts sum(const std::vector<Counts>& frames) {
+  Counts all;
+  for (const Counts& one : frames) {
+    all.accepted += one.accepted;
+    all.exact += one.exact;
+    all.missed += one.missed;
+    all.triangles += one.triangles;
+    all.query_us += one.query_us;
+  }
+  return all;
+}
+
+}  // namespace manzana::culling_benchmark

@@ -1,0 +1,28 @@
+#pragma once
+/// What every answer is held against: which objects are exactly in view, and what an answer comes to beside that.
+///   const Truth truth = find_truth(work);
+///   const std::vector<Counts> counts = check(*peer, work, truth);      // a row a frame
+#include <cstdint>
+#include <vector>
+
+#include "apps/culling_benchmark/workload.h"
+#include "culling/baselines/peer.h"
+
+namespace manzana::culling_benchmark {
+
+struct Truth {
+  std::vector<std::vector<std::uint64_t>> bits;  ///< a row a frame; bit i % 64 of word i / 64 is object i's
+  std::vector<std::uint64_t> seen;               ///< how many are set
+};
+Truth find_truth(const Workload& work);
+
+/// Of one frame, or of many. An object that an answer holds twice is accepted twice.
+struct Counts {
+  std::uint64_t accepted = 0, exact = 0, missed = 0, triangles = 0;
+  double query_us = 0;  ///< the query that was checked, timed once: for planning only
+};
+
+std::vector<Counts> check(baselines::Peer& peer, const Workload& work, const Truth& truth);
+Counts sum(const std::vector<Counts>& frames);
+
+}  // namespace manzana::culling_benchmark

@@ -1,0 +1,117 @@
+#include "apps/culling_benchmark/timing.h"
+
+#include <catch2/catch.hpp>
+#include <chrono>
+
+#include "apps/culling_benchmark/conditions.h"
+#include "apps/culling_benchmark/statistics.h"
+#include "apps/culling_benchmark/truth.h"
+
+using namespace manzana;
+using namespace manzana::culling_benchmark;
+
+namespace {
+
+/// Takes a fixed time, and finds all but the objects before `from`.
+class Waiting : public baselines::Peer {
+ public:
+  Waiting(double us, std::uint32_t objects, std::uint32_t from = 0) : us_(us), objects_(objects), from_(from) {}
+  void query(const culling::FrustumD&, baselines::Answer& answer) override {
+    const auto start = std::chrono::steady_clock::now();
+    answer.runs = {{from_, objects_}};
+    ++queries;
+    while (std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count() < us_) {
+    }
+  }
+  std::size_t bytes() const override { return 0; }
+  int queries = 0;
+
+ private:
+  double us_;
+  std::uint32_t objects_, from_;
+};
+
+}  // namespace
+
+TEST_CASE("plan: all if there is time, else fewer frames, then fewer pairs, never under the least") {
+  const Limits limits{.seconds = 1, .pairs = 50, .least_pairs = 9, .least_frames = 12};
+  const auto sizes = [&](double us, std::size_t frames) {
+    const Plan plan = plan_pairs(limits, us, frames);
+    return std::pair{plan.pairs, plan.frames.size()};
+  };
+  CHECK(sizes(1, 300) == std::pair<std::size_t, std::size_t>{50, 300});
+  CHECK(sizes(0, 300) == std::pair<std::size_t, std::size_t>{50, 300});
+  CHECK(sizes(200, 300) == std::pair<std::size_t, std::size_t>{50, 100});
+  CHECK(sizes(4000, 300) == std::pair<std::size_t, std::size_t>{20, 12});
+  CHECK(sizes(1e9, 300) == std::pair<std::size_t, std::size_t>{9, 12});
+  CHECK(sizes(1e9, 3) == std::pair<std::size_t, std::size_t>{9, 3});
+}
+
+TEST_CASE("plan: frames are spread over the whole flight, each once, without a last or first one for ever") {
+  for (const std::size_t frames : {1U, 2U, 5U, 77U, 300U}) {
+    const Plan plan = plan_pairs({.seconds = 1e-9, .pairs = 9, .least_pairs = 9, .least_frames = 5}, 1, frames);
+    REQUIRE(plan.frames.size() == std::min<std::size_t>(frames, 5));
+    for (std::size_t i = 0; i < plan.frames.size(); ++i) {
+      CHECK(plan.frames[i] < frames);
+      if (i > 0) CHECK(plan.frames[i] > plan.frames[i - 1]);
+    }
+    if (frames >= 5) CHECK(plan.frames[2] == frames / 2);
+  }
+}
+
+TEST_CASE("pairs: a structure that takes three times as long is found to, whoever else is at work") {
+  const Workload work = make_workload("C1", 1, 20);
+  Waiting quick(20, 1), slow(60, 1);
+  const PairTimes times = time_pairs(quick, slow, work, plan_pairs({.pairs = 15}, 80, 20), 1);
+  REQUIRE(times.peer_us.size() == 15);
+  REQUIRE(times.bqr_us.size() == 15);
+  CHECK(times.frame_us.size() == 20);
+  CHECK(quick.queries == slow.queries);
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < 15; ++i) ratios.push_back(times.peer_us[i] / times.bqr_us[i]);
+  CHECK(median_ratio(ratios) == Approx(3).epsilon(0.1));
+}
+
+TEST_CASE("pairs: the clock's own time is not counted") {
+  const double overhead = clock_overhead_us();
+  CHECK(overhead > 0.001);
+  CHECK(overhead < 2);
+  const Workload work = make_workload("C1", 1, 20);
+  Waiting nothing(0, 1), neither(0, 1);
+  const PairTimes times = time_pairs(nothing, neither, work, plan_pairs({.pairs = 50}, 1, 20), 1);
+  CHECK(median(times.peer_us) < 2 * overhead + 0.1);
+}
+
+TEST_CASE("check: counts what an answer holds, holds too much, and misses") {
+  const Workload work = make_workload("C1", 1, 5);
+  const Truth truth = find_truth(work);
+  const std::uint32_t objects = work.city.objects();
+  Waiting all(0, objects), half(0, objects, objects / 2);
+  const Counts of_all = sum(check(all, work, truth)), of_half = sum(check(half, work, truth));
+  std::uint64_t triangles = 0, seen = 0, seen_below = 0;
+  for (const std::uint32_t t : work.city.triangles) triangles += t;
+  for (const auto& bits : truth.bits)
+    for (std::uint32_t i = 0; i < objects; ++i) {
+      seen += bits[i / 64] >> i % 64 & 1;
+      seen_below += i < objects / 2 ? bits[i / 64] >> i % 64 & 1 : 0;
+    }
+  CHECK(of_all.accepted == 5 * std::uint64_t{objects});
+  CHECK(of_all.exact == seen);
+  CHECK(of_all.missed == 0);
+  CHECK(of_all.triangles == 5 * triangles);
+  CHECK(of_half.missed == seen_below);
+  CHECK(seen_below > 0);
+  CHECK(of_half.accepted == 5 * std::uint64_t{objects - objects / 2});
+}
+
+TEST_CASE("conditions: a slow calibration, a stolen or a taken machine is disturbed") {
+  CHECK_FALSE(disturbed({5, 0, 2, 0}, 5));
+  CHECK_FALSE(disturbed({5.4, 0, 2, 0}, 5));
+  CHECK(disturbed({5.6, 0, 2, 0}, 5));
+  CHECK(disturbed({5, 0, 2, 0.03}, 5));
+  CHECK(disturbed({5, 2, 0.5, 0}, 5));
+  const Watch watch;
+  const Conditions now = watch.stop();
+  CHECK(now.calibration_ms > 0.1);
+  CHECK(now.others_cores >= 0);
+}
