@@ -95,7 +95,7 @@ class Measurer {
     const Workload work = make_workload(name, options_.seed, frames_of(options_, name));
     const Truth truth = find_truth(work);
     const Built bqr = build(*baselines::find_peer("bqr"), work.city);
-    bqr_us_ = sum(check(*bqr.peer, work, truth)).query_us / static_cast<double>(work.frusta.size());
+    bqr_us_ = query_times(check(*bqr.peer, work, truth));
     for (std::size_t i = 0; i < todo.size(); ++i) {
       row_start_ = seconds_now();
       row_seconds_ = (case_end_ - row_start_) / static_cast<double>(todo.size() - i);
@@ -129,8 +129,7 @@ class Measurer {
   }
 
   void time_until_clean(RunRow& row, Peer& bqr, Peer& peer, const Workload& work, const std::vector<Counts>& counts) {
-    const double frame_us = sum(counts).query_us / static_cast<double>(counts.size()) + bqr_us_;
-    const Plan plan = plan_pairs(limits_now(work.cold), frame_us + (work.cold ? 2 * stream_us() : 0), counts.size());
+    const Plan plan = plan_pairs(limits_now(work.cold), bqr_us_, query_times(counts), work.cold ? stream_us() : 0);
     row.timed_frames = plan.frames.size();
     row.pairs = plan.pairs;
     for (row.attempts = 1;; ++row.attempts) {
@@ -164,7 +163,8 @@ class Measurer {
   const Tell& tell_;
   Rules rules_;
   double start_ = seconds_now(), case_end_ = 0, row_start_ = 0, row_seconds_ = 0;
-  double best_calibration_ms_ = 1e9, bqr_us_ = 0;
+  double best_calibration_ms_ = 1e9;
+  std::vector<double> bqr_us_;  // of each frame, once
 };
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <numeric>
 
 #include "apps/culling_benchmark/statistics.h"
 #include "culling/hash.h"
@@ -57,22 +57,42 @@ class Rounds {
   std::vector<double> us_;
 };
 
-std::vector<std::size_t> spread(std::size_t n, std::size_t frames) {
-  std::vector<std::size_t> at;
-  for (std::size_t i = 0; i < n; ++i) at.push_back((2 * i + 1) * frames / (2 * n));
-  return at;
+/// Of each value: how many are less; equal ones in their order.
+std::vector<std::size_t> ranks(const std::vector<double>& values) {
+  std::vector<std::size_t> order(values.size()), rank(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  for (std::size_t i = 0; i < order.size(); ++i) rank[order[i]] = i;
+  return rank;
+}
+
+std::vector<std::size_t> choose_frames(std::size_t n, const std::vector<double>& a, const std::vector<double>& b) {
+  const auto rank_a = ranks(a), rank_b = ranks(b);
+  std::vector<std::size_t> order(a.size()), chosen;
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t k) { return rank_a[i] + rank_b[i] < rank_a[k] + rank_b[k]; });
+  for (std::size_t i = 0; i < n; ++i) chosen.push_back(order[(2 * i + 1) * order.size() / (2 * n)]);
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
 }
 
 }  // namespace
 
-Plan plan_pairs(const Limits& limits, double frame_us, std::size_t frames) {
-  const double affordable = limits.seconds * 1e6 / std::max(frame_us, 1e-3);  // frames of all pairs
+Plan plan_pairs(const Limits& limits, const std::vector<double>& bqr_us, const std::vector<double>& peer_us,
+                double between_us) {
+  const std::size_t frames = bqr_us.size();
+  const double flight_us = std::accumulate(bqr_us.begin(), bqr_us.end(), 0.0) +
+                           std::accumulate(peer_us.begin(), peer_us.end(), 0.0) +
+                           2 * between_us * static_cast<double>(frames);
+  const double frame_us = std::max(flight_us / static_cast<double>(frames), 1e-3);
+  const double affordable = limits.seconds * 1e6 / frame_us;  // frames of all pairs together
   const auto at_most = [](double n, std::size_t low, std::size_t high) {
-    return std::clamp(static_cast<std::size_t>(std::min(n, 1e9)), std::min(low, high), high);
+    return std::clamp(static_cast<std::size_t>(std::clamp(n, 0.0, 1e9)), std::min(low, high), high);
   };
   const std::size_t n = at_most(affordable / static_cast<double>(limits.pairs), limits.least_frames, frames);
   const std::size_t pairs = at_most(affordable / static_cast<double>(n), limits.least_pairs, limits.pairs);
-  return {spread(n, frames), pairs};
+  return {choose_frames(n, bqr_us, peer_us), pairs};
 }
 
 PairTimes time_pairs(Peer& bqr, Peer& peer, const Workload& work, const Plan& plan, std::uint64_t seed) {

@@ -1,7 +1,7 @@
 #pragma once
 /// Two structures timed side by side. A round is one flight, each query timed alone; a pair is a round of each, in an
 /// order that chance decides.
-///   const Plan plan = plan_pairs(limits, cost_us, frames);
+///   const Plan plan = plan_pairs(limits, bqr_us, peer_us, 0);
 ///   const PairTimes times = time_pairs(bqr, peer, work, plan, seed);
 #include <cstdint>
 #include <vector>
@@ -18,12 +18,14 @@ struct Limits {
 };
 
 struct Plan {
-  std::vector<std::size_t> frames;  ///< of the flight, evenly spread
+  std::vector<std::size_t> frames;  ///< of the flight, ascending
   std::size_t pairs = 0;
 };
-/// `frame_us`: of both structures together, with all that goes on between their queries. All frames and all pairs if
-/// the time is enough, else fewer frames, and then fewer pairs.
-Plan plan_pairs(const Limits& limits, double frame_us, std::size_t frames);
+/// All frames and all pairs if there is time, else fewer frames, and then fewer pairs. What both structures roughly
+/// take is given for each frame, and what goes on between two queries. Few frames must stand for all: they are evenly
+/// spread over the ranks of their costs, so that their median is near that of all, wherever in the flight they are.
+Plan plan_pairs(const Limits& limits, const std::vector<double>& bqr_us, const std::vector<double>& peer_us,
+                double between_us);
 
 struct PairTimes {
   std::vector<double> peer_us, bqr_us;  ///< a row a pair: the median over the round's frames

@@ -75,4 +75,10 @@ Counts sum(const std::vector<Counts>& frames) {
   return all;
 }
 
+std::vector<double> query_times(const std::vector<Counts>& frames) {
+  std::vector<double> us;
+  for (const Counts& one : frames) us.push_back(one.query_us);
+  return us;
+}
+
 }  // namespace manzana::culling_benchmark

@@ -24,5 +24,6 @@ struct Counts {
 
 std::vector<Counts> check(baselines::Peer& peer, const Workload& work, const Truth& truth);
 Counts sum(const std::vector<Counts>& frames);
+std::vector<double> query_times(const std::vector<Counts>& frames);
 
 }  // namespace manzana::culling_benchmark

@@ -1,11 +1,13 @@
 #include "apps/culling_benchmark/timing.h"
 
-#include <catch2/catch.hpp>
 #include <chrono>
+#include <cmath>
+#include <numeric>
 
 #include "apps/culling_benchmark/conditions.h"
 #include "apps/culling_benchmark/statistics.h"
 #include "apps/culling_benchmark/truth.h"
+#include "tests/support/random.h"
 
 using namespace manzana;
 using namespace manzana::culling_benchmark;
@@ -31,38 +33,70 @@ class Waiting : public baselines::Peer {
   std::uint32_t objects_, from_;
 };
 
+std::vector<std::size_t> flight_of(std::size_t frames) {
+  std::vector<std::size_t> all(frames);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
 }  // namespace
 
 TEST_CASE("plan: all if there is time, else fewer frames, then fewer pairs, never under the least") {
-  const Limits limits{.seconds = 1, .pairs = 50, .least_pairs = 9, .least_frames = 12};
-  const auto sizes = [&](double us, std::size_t frames) {
-    const Plan plan = plan_pairs(limits, us, frames);
+  const auto sizes = [&](double seconds, double us, std::size_t frames) {
+    const Limits limits{.seconds = seconds, .pairs = 50, .least_pairs = 9, .least_frames = 12};
+    const Plan plan = plan_pairs(limits, std::vector(frames, us / 4), std::vector(frames, us / 4), us / 4);
     return std::pair{plan.pairs, plan.frames.size()};
   };
-  CHECK(sizes(1, 300) == std::pair<std::size_t, std::size_t>{50, 300});
-  CHECK(sizes(0, 300) == std::pair<std::size_t, std::size_t>{50, 300});
-  CHECK(sizes(200, 300) == std::pair<std::size_t, std::size_t>{50, 100});
-  CHECK(sizes(4000, 300) == std::pair<std::size_t, std::size_t>{20, 12});
-  CHECK(sizes(1e9, 300) == std::pair<std::size_t, std::size_t>{9, 12});
-  CHECK(sizes(1e9, 3) == std::pair<std::size_t, std::size_t>{9, 3});
+  using Sizes = std::pair<std::size_t, std::size_t>;
+  CHECK(sizes(1, 1, 300) == Sizes{50, 300});
+  CHECK(sizes(1, 0, 300) == Sizes{50, 300});
+  CHECK(sizes(1, 200, 300) == Sizes{50, 100});
+  CHECK(sizes(1, 4000, 300) == Sizes{20, 12});
+  CHECK(sizes(1, 1e9, 300) == Sizes{9, 12});
+  CHECK(sizes(1, 1e9, 3) == Sizes{9, 3});
+  CHECK(sizes(-1, 1, 300) == Sizes{9, 12});  // late already
 }
 
-TEST_CASE("plan: frames are spread over the whole flight, each once, without a last or first one for ever") {
+TEST_CASE("plan: each frame once, in the order of the flight") {
+  support::Random random(3);
   for (const std::size_t frames : {1U, 2U, 5U, 77U, 300U}) {
-    const Plan plan = plan_pairs({.seconds = 1e-9, .pairs = 9, .least_pairs = 9, .least_frames = 5}, 1, frames);
+    std::vector<double> us(frames);
+    for (double& one : us) one = random.unit();
+    const Plan plan = plan_pairs({.seconds = 0, .pairs = 9, .least_pairs = 9, .least_frames = 5}, us, us, 0);
     REQUIRE(plan.frames.size() == std::min<std::size_t>(frames, 5));
     for (std::size_t i = 0; i < plan.frames.size(); ++i) {
       CHECK(plan.frames[i] < frames);
       if (i > 0) CHECK(plan.frames[i] > plan.frames[i - 1]);
     }
-    if (frames >= 5) CHECK(plan.frames[2] == frames / 2);
+  }
+}
+
+TEST_CASE("plan: five frames stand for a flight whose costs differ by thousands") {
+  support::Random random(4);
+  for (int round = 0; round < 100; ++round) {
+    std::vector<double> bqr, peer;
+    const double steep = random.within(0, 8), shift = random.within(0, 1);
+    for (int frame = 0; frame < 300; ++frame) {
+      const double along = std::exp(steep * std::sin(6 * (frame / 300.0 + shift)));
+      bqr.push_back(along * random.within(0.95, 1.05));
+      peer.push_back(20 * std::sqrt(along) * random.within(0.95, 1.05));
+    }
+    const Plan plan = plan_pairs({.seconds = 0, .pairs = 9, .least_pairs = 9, .least_frames = 5}, bqr, peer, 0);
+    const auto at = [&](const std::vector<double>& us) {
+      std::vector<double> some;
+      for (const std::size_t frame : plan.frames) some.push_back(us[frame]);
+      return median(some);
+    };
+    CAPTURE(steep, shift);
+    CHECK(at(bqr) == Approx(median(bqr)).epsilon(0.25));
+    CHECK(at(peer) == Approx(median(peer)).epsilon(0.25));
   }
 }
 
 TEST_CASE("pairs: a structure that takes three times as long is found to, whoever else is at work") {
   const Workload work = make_workload("C1", 1, 20);
   Waiting quick(20, 1), slow(60, 1);
-  const PairTimes times = time_pairs(quick, slow, work, plan_pairs({.pairs = 15}, 80, 20), 1);
+  const PairTimes times = time_pairs(quick, slow, work, {flight_of(20), 15}, 1);
   REQUIRE(times.peer_us.size() == 15);
   REQUIRE(times.bqr_us.size() == 15);
   CHECK(times.frame_us.size() == 20);
@@ -78,7 +112,7 @@ TEST_CASE("pairs: the clock's own time is not counted") {
   CHECK(overhead < 2);
   const Workload work = make_workload("C1", 1, 20);
   Waiting nothing(0, 1), neither(0, 1);
-  const PairTimes times = time_pairs(nothing, neither, work, plan_pairs({.pairs = 50}, 1, 20), 1);
+  const PairTimes times = time_pairs(nothing, neither, work, {flight_of(20), 50}, 1);
   CHECK(median(times.peer_us) < 2 * overhead + 0.1);
 }
 
