@@ -46,11 +46,11 @@ struct WidePlanes {
         f(planes.planes[5]),
         six(planes.count == 6) {}
 
-  /// Bit i: sphere i is not outside. A NaN keeps it in.
+  /// Bit i: sphere i is not outside. A NaN keeps it in. The bits above 15 mean nothing.
   std::uint32_t seen(const Packet& packet) const {
     std::uint32_t bits = 0;
     for (std::size_t from = 0; from < kWide; from += kLanes) bits |= outside(packet, from) << from;
-    return ~bits & 0xFFFFU;
+    return ~bits;
   }
 
  private:
@@ -69,6 +69,9 @@ struct WidePlanes {
   bool six;
 };
 
+/// A bit each of the next objects, when so many are left.
+std::uint32_t present(std::uint32_t left) { return left < kWide ? (1U << left) - 1U : 0xFFFFU; }
+
 class LinearSimd : public Peer {
  public:
   explicit LinearSimd(const City& city)
@@ -80,11 +83,8 @@ class LinearSimd : public Peer {
   void query(const culling::FrustumD& frustum, Answer& answer) override {
     const WidePlanes planes(push_out(narrow(frustum, origin_), reach_));
     answer.runs.clear();
-    std::uint32_t first = 0;
-    for (; first + kWide <= objects_; first += kWide)
-      append_bits(answer.runs, first, planes.seen(packets_[first / kWide]));
-    if (first < objects_)
-      append_bits(answer.runs, first, planes.seen(packets_[first / kWide]) & ((1U << (objects_ - first)) - 1U));
+    for (std::uint32_t first = 0; first < objects_; first += kWide)
+      append_bits(answer.runs, first, planes.seen(packets_[first / kWide]) & present(objects_ - first));
   }
 
   std::size_t bytes() const override { return packets_.size() * sizeof(Packet); }
