@@ -3,14 +3,16 @@
 #include <cstdio>
 
 #include "apps/common/whole_file.h"
+#include "apps/culling_benchmark/catalogue.h"
 #include "apps/culling_benchmark/child.h"
 #include "apps/culling_benchmark/frame_table.h"
 #include "apps/culling_benchmark/plots.h"
 #include "apps/culling_benchmark/report.h"
+#include "apps/culling_benchmark/report_growth.h"
+#include "apps/culling_benchmark/report_trade.h"
 #include "apps/culling_benchmark/rules.h"
 #include "apps/culling_benchmark/run.h"
 #include "apps/culling_benchmark/summary.h"
-#include "apps/culling_benchmark/workload.h"
 
 namespace manzana::culling_benchmark {
 namespace {
@@ -27,6 +29,13 @@ void remove_parts(const std::filesystem::path& folder) {
     if (entry.path().extension().string().starts_with(".part")) std::filesystem::remove(entry.path());
 }
 
+std::vector<Script> all_plots(const Options& options, std::span<const SummaryRow> table) {
+  std::vector<Script> scripts = case_plots(options, table);
+  for (const auto& more : {growth_plots(table), trade_plots(table)})
+    scripts.insert(scripts.end(), more.begin(), more.end());
+  return scripts;
+}
+
 int time_all(const Options& options, const std::vector<std::string>& arguments) {
   for (const std::string& name : cases_of(options)) look_up_case(name);
   apps::make_folder(options.out);
@@ -36,7 +45,7 @@ int time_all(const Options& options, const std::vector<std::string>& arguments) 
   const auto wrong = faults(rows);
   apps::write_whole(options.out / "summary.csv", to_csv(table));
   apps::write_whole(options.out / "columns.md", columns_md());
-  const auto plots = write_plots(options, table);
+  const auto plots = draw_all(options.out, all_plots(options, table));
   apps::write_whole(options.out / "report.md", report_md(options, table, wrong, plots));
   std::printf("written to %s; read report.md first\n", options.out.c_str());
   for (const std::string& line : wrong) std::fprintf(stderr, "WRONG: %s\n", line.c_str());

@@ -65,8 +65,8 @@ Conditions Watch::stop() const {
   return during;
 }
 
-bool disturbed(const Conditions& conditions, double best_calibration_ms) {
-  const double needed = cores() > 1 ? 1.25 : 0.95;
+bool disturbed(const Conditions& conditions, double best_calibration_ms, int threads) {
+  const double needed = cores() > threads ? threads + 0.25 : 0.95 * std::min<double>(threads, cores());
   return conditions.calibration_ms > 1.1 * best_calibration_ms || conditions.free_cores < needed ||
          conditions.steal > 0.02;
 }

@@ -3,7 +3,7 @@
 ///   const Watch watch;                    // before
 ///   ... measure ...
 ///   const Conditions during = watch.stop();
-///   if (disturbed(during, best_calibration_ms)) again
+///   if (disturbed(during, best_calibration_ms, threads)) again
 namespace manzana::culling_benchmark {
 
 struct Conditions {
@@ -27,9 +27,9 @@ class Watch {
   Reading start_;
 };
 
-/// More than 10 % slower than the best calibration seen, or less than a core and a quarter left for us (on a machine
-/// with one: less than 95 % of it), or more than 2 % of the time stolen.
-bool disturbed(const Conditions& conditions, double best_calibration_ms);
+/// More than 10 % slower than the best calibration seen, or less than our threads and a quarter of a core left (on a
+/// machine with no more cores than that: less than 95 % of them), or more than 2 % of the time stolen.
+bool disturbed(const Conditions& conditions, double best_calibration_ms, int threads);
 
 /// A few milliseconds of work that depends on the processor's clock alone.
 double calibrate_ms();

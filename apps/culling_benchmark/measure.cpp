@@ -26,11 +26,19 @@ double seconds_now() {
 struct Built {
   std::unique_ptr<Peer> peer;
   double ms = 0;
+  std::vector<std::unique_ptr<Peer>> more;  // one for each other thread
+  Contender contender() const {
+    Contender all{peer.get(), {}};
+    for (const auto& one : more) all.company.push_back(one.get());
+    return all;
+  }
 };
-Built build(const PeerInfo& info, const baselines::City& city) {
+Built build(const PeerInfo& info, const Workload& work) {
   const double start = seconds_now();
-  auto peer = info.make(city);
-  return {std::move(peer), (seconds_now() - start) * 1e3};
+  Built built{info.make(*work.city), 0, {}};
+  built.ms = (seconds_now() - start) * 1e3;
+  for (int thread = 1; thread < work.info.threads; ++thread) built.more.push_back(info.make(*work.city));
+  return built;
 }
 
 void set_times(RunRow& row, const PairTimes& times, const Conditions& during) {
@@ -79,10 +87,9 @@ class Measurer {
 
   std::vector<const PeerInfo*> missing(const std::string& name) const {
     std::vector<const PeerInfo*> todo;
-    for (const std::string& slug : options_.peers) {
-      const PeerInfo* info = baselines::find_peer(slug);
+    for (const std::string& slug : peers_for(options_, name)) {
       const RunRow expected = expected_row(options_, name, slug, options_.process);
-      if (info->available && !is_finished(finished_, expected)) todo.push_back(info);
+      if (can_measure(name, slug) && !is_finished(finished_, expected)) todo.push_back(peer_info(slug));
     }
     return todo;
   }
@@ -92,44 +99,43 @@ class Measurer {
     if (todo.empty()) return;
     const std::string stage = rules_.processes > 1 ? std::to_string(options_.process) + ": " + name : name;
     tell_.progress(stage, 0);
-    const Workload work = make_workload(name, options_.seed, frames_of(options_, name));
+    const Workload work = make_workload(name, options_.seed, frames_of(options_, name), cities_);
     const Truth truth = find_truth(work);
-    const Built bqr = build(*baselines::find_peer("bqr"), work.city);
+    const Built bqr = build(*peer_info("bqr"), work);
     bqr_us_ = query_times(check(*bqr.peer, work, truth));
     for (std::size_t i = 0; i < todo.size(); ++i) {
       row_start_ = seconds_now();
       row_seconds_ = (case_end_ - row_start_) / static_cast<double>(todo.size() - i);
-      tell_.row(measure_row(*todo[i], work, truth, *bqr.peer));
+      tell_.row(measure_row(*todo[i], work, truth, bqr));
       tell_.progress(stage, static_cast<double>(i + 1) / static_cast<double>(todo.size()));
     }
   }
 
-  RunRow measure_row(const PeerInfo& info, const Workload& work, const Truth& truth, Peer& bqr) {
-    RunRow row = expected_row(options_, work.name, info.slug, options_.process);
+  RunRow measure_row(const PeerInfo& info, const Workload& work, const Truth& truth, const Built& bqr) {
+    RunRow row = expected_row(options_, work.info.name, info.slug, options_.process);
     row.grain = info.grain == baselines::Grain::block ? "block" : "object";
-    row.objects = work.city.objects();
-    row.blocks = work.city.blocks.size();
-    const Built built = build(info, work.city);
+    row.objects = work.city->objects();
+    row.blocks = work.city->blocks.size();
+    const Built built = build(info, work);
     row.build_ms = built.ms;
     row.bytes = built.peer->bytes();
     const std::vector<Counts> counts = check(*built.peer, work, truth);
     set_counts(row, sum(counts));
-    time_until_clean(row, bqr, *built.peer, work, counts);
+    time_until_clean(row, bqr.contender(), built.contender(), work, counts);
     row.date = now_utc();
     return row;
   }
 
-  Limits limits_now(bool cold) const {
+  Limits limits_now(const std::string& case_name) const {
     Limits limits = rules_.limits;
-    if (rules_.seconds > 0)
-      limits.seconds = row_start_ + row_seconds_ - seconds_now();
-    else if (cold)
-      limits.seconds = rules_.cold_seconds;
+    limits.seconds = rules_.seconds > 0 ? row_start_ + row_seconds_ - seconds_now() : row_seconds(case_name);
     return limits;
   }
 
-  void time_until_clean(RunRow& row, Peer& bqr, Peer& peer, const Workload& work, const std::vector<Counts>& counts) {
-    const Plan plan = plan_pairs(limits_now(work.cold), bqr_us_, query_times(counts), work.cold ? stream_us() : 0);
+  void time_until_clean(RunRow& row, const Contender& bqr, const Contender& peer, const Workload& work,
+                        const std::vector<Counts>& counts) {
+    const Plan plan =
+        plan_pairs(limits_now(work.info.name), bqr_us_, query_times(counts), work.info.cold ? stream_us() : 0);
     row.timed_frames = plan.frames.size();
     row.pairs = plan.pairs;
     for (row.attempts = 1;; ++row.attempts) {
@@ -139,7 +145,7 @@ class Measurer {
       const Conditions during = watch.stop();
       note_calibration(during.calibration_ms);
       set_times(row, times, during);
-      row.dirty = disturbed(during, best_calibration_ms_) ? 1 : 0;
+      row.dirty = disturbed(during, best_calibration_ms_, work.info.threads) ? 1 : 0;
       if (row.dirty == 0 || row.attempts == kAttempts || !time_for(seconds_now() - start)) {
         if (row.process == 1) write_frames(row, plan, times, counts);
         return;
@@ -162,6 +168,7 @@ class Measurer {
   std::span<const RunRow> finished_;
   const Tell& tell_;
   Rules rules_;
+  Cities cities_;
   double start_ = seconds_now(), case_end_ = 0, row_start_ = 0, row_seconds_ = 0;
   double best_calibration_ms_ = 1e9;
   std::vector<double> bqr_us_;  // of each frame, once

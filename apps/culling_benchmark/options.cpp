@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "culling/baselines/cases.h"
+#include "apps/culling_benchmark/catalogue.h"
 #include "culling/baselines/peer.h"
 
 namespace manzana::culling_benchmark {
@@ -47,7 +47,10 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
   app.add_option("--case", texts.cases, "comma list of cases (see --list) and of city files (.osm, .osm.pbf, ...)");
   app.add_option("--peers", texts.peers, "comma list of structures (see --list); bqr is always one");
   app.add_flag("--quick", options.quick, "C2, 10k, 100k, 100k-cold and 1M-1km in a minute, one process");
-  app.add_option("--frames", options.frames, "frames of the flight; 300, but 100 for a quick million")
+  app.add_flag("--growth", options.growth, "the cases of growing cities, from 1 000 to 10 000 000 objects");
+  app.add_flag("--trade", options.trade, "the cases of speed for accuracy: volumes and precisions");
+  app.add_option("--frames", options.frames,
+                 "frames of the flight; 300, fewer for a quick million (100) and for growth (60)")
       ->check(CLI::Range(1, 100000));
   app.add_option("--seed", options.seed, "of the generated cities and of the order of measurement")
       ->check([](const std::string& text) { return std::string(text.starts_with('-') ? "is negative: " + text : ""); },
@@ -85,7 +88,7 @@ Parsed finish(Options options, const Texts& texts) {
 
 std::string line_of(std::string_view name, std::string_view what, bool available) {
   std::string line = "  " + std::string(name);
-  line.resize(std::max<std::size_t>(line.size() + 1, 18), ' ');
+  line.resize(std::max<std::size_t>(line.size() + 1, 22), ' ');
   return line + std::string(what) + (available ? "\n" : " (unavailable: its library was not found)\n");
 }
 
@@ -103,7 +106,8 @@ Parsed parse_options(int argc, const char* const* argv) {
 
 std::string list_text() {
   std::string text = "cases, or a city file (.osm, .osm.gz, .osm.bz2, .osm.pbf, builtin:town):\n";
-  for (const baselines::Case& c : baselines::cases()) text += line_of(c.name, c.what, true);
+  for (const Family family : {Family::speed, Family::growth, Family::trade})
+    for (const std::string& name : names_of(family)) text += line_of(name, case_info(name).what, true);
   text += "structures:\n";
   for (const baselines::PeerInfo& p : baselines::peers()) text += line_of(p.slug, p.what, p.available);
   return text;

@@ -14,11 +14,11 @@ namespace manzana::culling_benchmark {
 
 struct Options {
   std::filesystem::path out;
-  std::vector<std::string> cases;  ///< names of cases, or files; empty: those of the mode
+  std::vector<std::string> cases;  ///< names of cases, or files
   std::vector<std::string> peers;  ///< slugs in the tables' order, bqr among them
   std::optional<int> frames;       ///< of the flight; without it the mode decides
   std::uint64_t seed = 1;
-  bool quick = false, list = false;
+  bool quick = false, growth = false, trade = false, list = false;
   int process = 0;  ///< 1, 2, ...: this is that process of a run, and tells its parent on stdout; 0: the parent
 };
 

@@ -1,18 +1,17 @@
 #pragma once
-/// Plots as SVG, drawn by gnuplot from scripts that stay beside them (OUT/plots/*.gp; run them in OUT).
+/// Plots of the cases: what each frame of a flight takes and finds, and what cities of different size do.
 #include <span>
 
+#include "apps/culling_benchmark/gnuplot.h"
 #include "apps/culling_benchmark/summary.h"
 
 namespace manzana::culling_benchmark {
 
-struct Plot {
-  std::string file, title;  ///< PLOT.svg
-};
+/// path_CASE for each case, size_paper for C1 to C6, size_objects for 10k, 100k, 1M, as far as they are measured.
+std::vector<Script> case_plots(const Options& options, std::span<const SummaryRow> table);
+std::string path_plot_name(const std::string& case_name);
 
-/// For each case what the frames of the flight take and find; for the paper's cities, and for the cities by number of
-/// objects, time and triangles against size. Gives the plots that were drawn; without gnuplot says so on stderr, in one
-/// line, and gives none.
-std::vector<Plot> write_plots(const Options& options, std::span<const SummaryRow> table);
+/// A line, in the colour that a structure has in all plots.
+std::string line_style(std::string_view peer);
 
 }  // namespace manzana::culling_benchmark

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 
+#include "apps/culling_benchmark/catalogue.h"
 #include "apps/culling_benchmark/machine.h"
 #include "apps/culling_benchmark/markdown.h"
+#include "apps/culling_benchmark/plots.h"
 #include "apps/culling_benchmark/report_goals.h"
+#include "apps/culling_benchmark/report_growth.h"
+#include "apps/culling_benchmark/report_trade.h"
 #include "apps/culling_benchmark/rules.h"
-#include "culling/baselines/cases.h"
+#include "apps/culling_benchmark/trade.h"
 
 namespace manzana::culling_benchmark {
 namespace {
@@ -110,9 +114,14 @@ std::vector<std::string> cells(const SummaryRow& s) {
               (*s.dirty > 0 ? ", " + std::to_string(*s.dirty) + " dirty" : "")};
 }
 
-std::string case_text(std::span<const SummaryRow> table, const std::string& name, std::span<const Plot> plots) {
-  const baselines::Case* generated = baselines::find_case(name);
-  std::string text = "## " + name + (generated != nullptr ? ": " + std::string(generated->what) : "") + "\n";
+std::string image(std::span<const std::string> plots, const std::string& name) {
+  const bool drawn = std::find(plots.begin(), plots.end(), name) != plots.end();
+  return drawn ? "![" + name + "](" + name + ".svg)\n\n" : "";
+}
+
+std::string case_text(std::span<const SummaryRow> table, const std::string& name, std::span<const std::string> plots) {
+  const std::string what = case_info(name).what;
+  std::string text = "## " + name + (what.empty() ? "" : ": " + what) + "\n";
   Rows rows{{"structure", "grain", "us", "x bqr", "than bqr", "accepted / exact", "missed", "triangles a frame",
              "build ms", "MB", "processes x pairs x frames"}};
   for (const SummaryRow& s : table)
@@ -120,19 +129,17 @@ std::string case_text(std::span<const SummaryRow> table, const std::string& name
   if (const SummaryRow* bqr = find_row(table, name, "bqr"))
     text += grouped(static_cast<double>(*bqr->objects)) + " objects in " + grouped(static_cast<double>(*bqr->blocks)) +
             " blocks; " + std::to_string(*bqr->frames) + " frames.";
-  text += "\n\n" + md_table(rows);
-  for (const Plot& plot : plots)
-    if (plot.title == "The flight through " + name) text += "![" + plot.title + "](" + plot.file + ")\n\n";
-  return text;
+  return text + "\n\n" + md_table(rows) + image(plots, path_plot_name(name));
 }
 
 }  // namespace
 
 std::string report_md(const Options& options, std::span<const SummaryRow> table, std::span<const std::string> wrong,
-                      std::span<const Plot> plots) {
+                      std::span<const std::string> plots) {
   std::string text = head_text(options) + verdict_text(table, wrong) + goals_text(table) + rivals_text(table);
-  for (const Plot& plot : plots)
-    if (plot.file.starts_with("size_")) text += "![" + plot.title + "](" + plot.file + ")\n\n";
+  text += image(plots, "size_paper") + image(plots, "size_objects");
+  text += growth_text(table) + image(plots, "growth") + trade_text(table);
+  for (const TradePlace& place : trade_places()) text += image(plots, place.name);
   for (const std::string& name : cases_of(options)) text += case_text(table, name, plots);
   return text + how_text(options, table);
 }

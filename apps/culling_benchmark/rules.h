@@ -13,10 +13,11 @@ struct Rules {
   std::string mode;  ///< quick or full
   int processes = kProcesses;
   double seconds = 0;  ///< a process may take that long; 0: as long as it needs
-  Limits limits;       ///< of one row; `seconds` are for warm cases
-  double cold_seconds = 0;
+  Limits limits;       ///< of one row; `seconds` are those of row_seconds, or what is left
 };
 Rules rules_of(const Options& options);
+/// Of a case when there is no hurry.
+double row_seconds(const std::string& case_name);
 
 std::vector<std::string> cases_of(const Options& options);
 int frames_of(const Options& options, const std::string& case_name);

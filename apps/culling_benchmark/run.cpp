@@ -6,10 +6,10 @@
 
 #include "apps/common/progress_bar.h"
 #include "apps/common/whole_file.h"
+#include "apps/culling_benchmark/catalogue.h"
 #include "apps/culling_benchmark/child.h"
 #include "apps/culling_benchmark/measure.h"
 #include "apps/culling_benchmark/rules.h"
-#include "culling/baselines/peer.h"
 
 namespace manzana::culling_benchmark {
 namespace {
@@ -29,8 +29,8 @@ std::vector<RunRow> expected_rows(const Options& options) {
   std::vector<RunRow> rows;
   const int processes = rules_of(options).processes;
   for (const std::string& name : cases_of(options))
-    for (const std::string& slug : options.peers)
-      for (int process = 1; process <= processes && baselines::find_peer(slug)->available; ++process)
+    for (const std::string& slug : peers_for(options, name))
+      for (int process = 1; process <= processes && can_measure(name, slug); ++process)
         rows.push_back(expected_row(options, name, slug, process));
   return rows;
 }

@@ -5,9 +5,9 @@
 #include <map>
 #include <tuple>
 
+#include "apps/culling_benchmark/catalogue.h"
 #include "apps/culling_benchmark/rules.h"
 #include "apps/culling_benchmark/statistics.h"
-#include "culling/baselines/peer.h"
 
 namespace manzana::culling_benchmark {
 namespace {
@@ -92,7 +92,7 @@ SummaryRow summarise_one(const std::string& case_name, const std::string& peer, 
   SummaryRow s;
   s.case_name = case_name;
   s.peer = peer;
-  s.grain = baselines::find_peer(peer)->grain == baselines::Grain::block ? "block" : "object";
+  s.grain = peer_info(peer)->grain == baselines::Grain::block ? "block" : "object";
   Rows all, clean;
   for (const RunRow& row : rows) {
     if (row.case_name != case_name || row.peer != peer) continue;
@@ -114,7 +114,7 @@ std::vector<SummaryRow> summarise(const Options& options, std::span<const RunRow
   for (const RunRow& row : rows) best = std::min(best, row.calibration_ms);
   std::vector<SummaryRow> table;
   for (const std::string& name : cases_of(options))
-    for (const std::string& peer : options.peers) table.push_back(summarise_one(name, peer, rows, best));
+    for (const std::string& peer : peers_for(options, name)) table.push_back(summarise_one(name, peer, rows, best));
   return table;
 }
 

@@ -1,8 +1,10 @@
 #include "apps/culling_benchmark/timing.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <numeric>
+#include <thread>
 
 #include "apps/culling_benchmark/statistics.h"
 #include "culling/hash.h"
@@ -34,17 +36,46 @@ Stream& stream() {
   return only;
 }
 
+/// Flies with others while it lives.
+class Company {
+ public:
+  Company(const std::vector<Peer*>& peers, const Workload& work, const std::vector<std::size_t>& frames) {
+    for (Peer* peer : peers) threads_.emplace_back([this, peer, &work, &frames] { fly(*peer, work, frames); });
+    while (under_way_ < peers.size()) std::this_thread::yield();
+  }
+  ~Company() {
+    landing_ = true;
+    for (std::thread& thread : threads_) thread.join();
+  }
+  Company(const Company&) = delete;
+  Company& operator=(const Company&) = delete;
+
+ private:
+  void fly(Peer& peer, const Workload& work, const std::vector<std::size_t>& frames) {
+    Answer answer;
+    for (std::size_t i = 0; !landing_; i = (i + 1) % frames.size()) {
+      peer.query(work.frusta[frames[i]], answer);
+      if (i == 0) ++under_way_;
+    }
+  }
+
+  std::atomic<bool> landing_ = false;
+  std::atomic<std::size_t> under_way_ = 0;
+  std::vector<std::thread> threads_;
+};
+
 class Rounds {
  public:
   Rounds(const Workload& work, const std::vector<std::size_t>& frames)
       : work_(work), frames_(frames), overhead_us_(clock_overhead_us()), us_(frames.size()) {}
 
   /// The times of one flight, valid until the next.
-  const std::vector<double>& fly(Peer& peer, Answer& answer) {
+  const std::vector<double>& fly(const Contender& contender, Answer& answer) {
+    const Company company(contender.company, work_, frames_);
     for (std::size_t i = 0; i < frames_.size(); ++i) {
-      if (work_.cold) stream().flow();
+      if (work_.info.cold) stream().flow();
       const auto start = Clock::now();
-      peer.query(work_.frusta[frames_[i]], answer);
+      contender.peer->query(work_.frusta[frames_[i]], answer);
       us_[i] = std::max(us_since(start) - overhead_us_, 1e-3);  // a nanosecond: a ratio needs more than nothing
     }
     return us_;
@@ -95,7 +126,8 @@ Plan plan_pairs(const Limits& limits, const std::vector<double>& bqr_us, const s
   return {choose_frames(n, bqr_us, peer_us), pairs};
 }
 
-PairTimes time_pairs(Peer& bqr, Peer& peer, const Workload& work, const Plan& plan, std::uint64_t seed) {
+PairTimes time_pairs(const Contender& bqr, const Contender& peer, const Workload& work, const Plan& plan,
+                     std::uint64_t seed) {
   Rounds rounds(work, plan.frames);
   Answer of_bqr, of_peer;
   PairTimes times;

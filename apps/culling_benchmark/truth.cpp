@@ -40,7 +40,7 @@ Counts compare(const Answer& answer, const Peer& peer, const City& city, std::ve
 Truth find_truth(const Workload& work) {
   Truth truth;
   for (const culling::View& view : work.views) {
-    truth.bits.push_back(culling::SureExact(view).visible(work.city.boxes));
+    truth.bits.push_back(culling::SureExact(view).visible(work.city->boxes));
     truth.seen.push_back(ones(truth.bits.back()));
   }
   return truth;
@@ -56,7 +56,7 @@ std::vector<Counts> check(Peer& peer, const Workload& work, const Truth& truth) 
     peer.query(work.frusta[frame], answer);
     const double us = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
     left = truth.bits[frame];
-    frames.push_back(compare(answer, peer, work.city, left));
+    frames.push_back(compare(answer, peer, *work.city, left));
     frames.back().exact = truth.seen[frame];
     frames.back().query_us = us;
   }

@@ -38,11 +38,12 @@ TEST_CASE("city file: every object of every layer, in blocks that hold them and 
 }
 
 TEST_CASE("city file: no structure misses an object of the town") {
-  const Workload work = make_workload("builtin:town", 1, 12);
+  Cities cities;
+  const Workload work = make_workload("builtin:town", 1, 12, cities);
   const Truth truth = find_truth(work);
   for (const baselines::PeerInfo& info : baselines::peers()) {
     if (!info.available) continue;
-    const auto peer = info.make(work.city);
+    const auto peer = info.make(*work.city);
     const Counts counts = sum(check(*peer, work, truth));
     CAPTURE(info.slug);
     CHECK(counts.exact > 100);
@@ -54,7 +55,8 @@ TEST_CASE("city file: no structure misses an object of the town") {
 TEST_CASE("city file: what cannot be read says which file") {
   const TemporaryFolder folder;
   const std::string file = folder.path() / "bad.osm";
+  Cities cities;
   std::ofstream(file) << "no city";
-  CHECK_THROWS_WITH(make_workload(file, 1, 5), Catch::Contains("bad.osm: "));
+  CHECK_THROWS_WITH(cities.get(file, 1), Catch::Contains("bad.osm: "));
   CHECK_THROWS_WITH(look_up_case("nowhere"), Catch::Contains("nowhere: no such case"));
 }

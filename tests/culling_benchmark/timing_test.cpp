@@ -94,9 +94,10 @@ TEST_CASE("plan: five frames stand for a flight whose costs differ by thousands"
 }
 
 TEST_CASE("pairs: a structure that takes three times as long is found to, whoever else is at work") {
-  const Workload work = make_workload("C1", 1, 20);
+  Cities cities;
+  const Workload work = make_workload("C1", 1, 20, cities);
   Waiting quick(20, 1), slow(60, 1);
-  const PairTimes times = time_pairs(quick, slow, work, {flight_of(20), 15}, 1);
+  const PairTimes times = time_pairs({&quick, {}}, {&slow, {}}, work, {flight_of(20), 15}, 1);
   REQUIRE(times.peer_us.size() == 15);
   REQUIRE(times.bqr_us.size() == 15);
   CHECK(times.frame_us.size() == 20);
@@ -110,20 +111,22 @@ TEST_CASE("pairs: the clock's own time is not counted") {
   const double overhead = clock_overhead_us();
   CHECK(overhead > 0.001);
   CHECK(overhead < 2);
-  const Workload work = make_workload("C1", 1, 20);
+  Cities cities;
+  const Workload work = make_workload("C1", 1, 20, cities);
   Waiting nothing(0, 1), neither(0, 1);
-  const PairTimes times = time_pairs(nothing, neither, work, {flight_of(20), 50}, 1);
+  const PairTimes times = time_pairs({&nothing, {}}, {&neither, {}}, work, {flight_of(20), 50}, 1);
   CHECK(median(times.peer_us) < 2 * overhead + 0.1);
 }
 
 TEST_CASE("check: counts what an answer holds, holds too much, and misses") {
-  const Workload work = make_workload("C1", 1, 5);
+  Cities cities;
+  const Workload work = make_workload("C1", 1, 5, cities);
   const Truth truth = find_truth(work);
-  const std::uint32_t objects = work.city.objects();
+  const std::uint32_t objects = work.city->objects();
   Waiting all(0, objects), half(0, objects, objects / 2);
   const Counts of_all = sum(check(all, work, truth)), of_half = sum(check(half, work, truth));
   std::uint64_t triangles = 0, seen = 0, seen_below = 0;
-  for (const std::uint32_t t : work.city.triangles) triangles += t;
+  for (const std::uint32_t t : work.city->triangles) triangles += t;
   for (const auto& bits : truth.bits)
     for (std::uint32_t i = 0; i < objects; ++i) {
       seen += bits[i / 64] >> i % 64 & 1;
@@ -139,13 +142,23 @@ TEST_CASE("check: counts what an answer holds, holds too much, and misses") {
 }
 
 TEST_CASE("conditions: a slow calibration, a stolen or a taken machine is disturbed") {
-  CHECK_FALSE(disturbed({5, 0, 2, 0}, 5));
-  CHECK_FALSE(disturbed({5.4, 0, 2, 0}, 5));
-  CHECK(disturbed({5.6, 0, 2, 0}, 5));
-  CHECK(disturbed({5, 0, 2, 0.03}, 5));
-  CHECK(disturbed({5, 2, 0.5, 0}, 5));
+  CHECK_FALSE(disturbed({5, 0, 2, 0}, 5, 1));
+  CHECK_FALSE(disturbed({5.4, 0, 2, 0}, 5, 1));
+  CHECK(disturbed({5.6, 0, 2, 0}, 5, 1));
+  CHECK(disturbed({5, 0, 2, 0.03}, 5, 1));
+  CHECK(disturbed({5, 2, 0.5, 0}, 5, 1));
   const Watch watch;
   const Conditions now = watch.stop();
   CHECK(now.calibration_ms > 0.1);
   CHECK(now.others_cores >= 0);
+}
+
+TEST_CASE("pairs: in company the others fly too, and land when the round is over") {
+  Cities cities;
+  const Workload work = make_workload("C1", 1, 20, cities);
+  Waiting bqr(5, 1), peer(5, 1), of_bqr(1, 1), of_peer(1, 1);
+  time_pairs({&bqr, {&of_bqr}}, {&peer, {&of_peer}}, work, {flight_of(20), 5}, 1);
+  CHECK(bqr.queries == 20 * 6);
+  CHECK(of_bqr.queries >= 6);
+  CHECK(of_peer.queries >= 6);
 }
