@@ -6,6 +6,8 @@
 #include "apps/culling_benchmark/catalogue.h"
 #include "apps/culling_benchmark/child.h"
 #include "apps/culling_benchmark/frame_table.h"
+#include "apps/culling_benchmark/paper_plots.h"
+#include "apps/culling_benchmark/paper_section.h"
 #include "apps/culling_benchmark/plots.h"
 #include "apps/culling_benchmark/report.h"
 #include "apps/culling_benchmark/report_growth.h"
@@ -20,7 +22,7 @@ namespace {
 std::string columns_md() {
   return "# Columns\nAn empty cell is a value that was not measured.\n\n## summary.csv\n" + explain(summary_columns()) +
          "\n## runs.csv\n" + explain(run_columns()) + "\n## frames/CASE_PEER.csv (first process)\n" +
-         explain(frame_columns());
+         explain(frame_columns()) + paper_columns_md();
 }
 
 /// What ended in the middle of writing a file leaves its part.
@@ -29,9 +31,9 @@ void remove_parts(const std::filesystem::path& folder) {
     if (entry.path().extension().string().starts_with(".part")) std::filesystem::remove(entry.path());
 }
 
-std::vector<Script> all_plots(const Options& options, std::span<const SummaryRow> table) {
+std::vector<Script> all_plots(const Options& options, std::span<const SummaryRow> table, const PaperPart& paper) {
   std::vector<Script> scripts = case_plots(options, table);
-  for (const auto& more : {growth_plots(table), trade_plots(table)})
+  for (const auto& more : {growth_plots(table), trade_plots(table), paper::paper_plots(paper.run)})
     scripts.insert(scripts.end(), more.begin(), more.end());
   return scripts;
 }
@@ -45,8 +47,9 @@ int time_all(const Options& options, const std::vector<std::string>& arguments) 
   const auto wrong = faults(rows);
   apps::write_whole(options.out / "summary.csv", to_csv(table));
   apps::write_whole(options.out / "columns.md", columns_md());
-  const auto plots = draw_all(options.out, all_plots(options, table));
-  apps::write_whole(options.out / "report.md", report_md(options, table, wrong, plots));
+  const PaperPart paper = with_paper(options) ? measure_paper(options, arguments) : PaperPart{};
+  const auto plots = draw_all(options.out, all_plots(options, table, paper));
+  apps::write_whole(options.out / "report.md", report_md(options, table, wrong, plots) + paper_section(paper, plots));
   std::printf("written to %s; read report.md first\n", options.out.c_str());
   for (const std::string& line : wrong) std::fprintf(stderr, "WRONG: %s\n", line.c_str());
   return wrong.empty() ? 0 : 1;
@@ -57,6 +60,10 @@ int time_all(const Options& options, const std::vector<std::string>& arguments) 
 int run_benchmark(const Options& options, const std::vector<std::string>& arguments) {
   if (options.list) {
     std::fputs(list_text().c_str(), stdout);
+    return 0;
+  }
+  if (options.paper_process) {
+    run_paper_process(options);
     return 0;
   }
   if (options.process > 0) {

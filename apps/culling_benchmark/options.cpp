@@ -49,6 +49,7 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
   app.add_flag("--quick", options.quick, "C2, 10k, 100k, 100k-cold and 1M-1km in a minute, one process");
   app.add_flag("--growth", options.growth, "the cases of growing cities, from 1 000 to 10 000 000 objects");
   app.add_flag("--trade", options.trade, "the cases of speed for accuracy: volumes and precisions");
+  app.add_flag("--paper", options.paper, "the experiments of Pina 2009, drawn with OpenGL");
   app.add_option("--frames", options.frames,
                  "frames of the flight; 300, fewer for a quick million (100) and for growth (60)")
       ->check(CLI::Range(1, 100000));
@@ -58,6 +59,7 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
       ->capture_default_str();
   app.add_flag("--list", options.list, "print the cases and the structures");
   app.add_option("--process", options.process)->check(CLI::Range(1, 1000))->group("");  // for the program itself
+  app.add_flag("--paper-process", options.paper_process)->group("");
 }
 
 /// The slugs that were asked for, or all; in the order of the tables. `unknown` takes the first that is none.

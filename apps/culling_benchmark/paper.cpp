@@ -1,10 +1,13 @@
 #include "apps/culling_benchmark/paper.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <numeric>
+#include <thread>
 
-#include "apps/culling_benchmark/paper_job.h"
+#include "apps/culling_benchmark/conditions.h"
+#include "apps/culling_benchmark/paper_lanes.h"
 #include "culling/hash.h"
 #include "gl/context.h"
 
@@ -12,6 +15,8 @@ namespace manzana::paper {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using Peers = std::initializer_list<const char*>;
+using Ways = std::initializer_list<Residency>;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
@@ -20,12 +25,14 @@ bool available(const std::string& peer) {
   return info != nullptr && info->available;
 }
 
-std::vector<Lane> lanes(std::initializer_list<const char*> peers, std::initializer_list<Residency> ways) {
-  std::vector<Lane> all;
+/// `like` with each of these structures and ways.
+void add_lanes(std::vector<Lane>& lanes, Lane like, Peers peers, Ways ways) {
   for (const Residency way : ways)
-    for (const char* peer : peers)
-      if (available(peer)) all.push_back({peer, way, Attach::lazy});
-  return all;
+    for (const char* peer : peers) {
+      like.peer = peer;
+      like.residency = way;
+      if (available(like.peer)) lanes.push_back(like);
+    }
 }
 
 /// Lane numbers in an order that is the frame's own.
@@ -38,73 +45,92 @@ std::vector<std::size_t> shuffled(std::size_t lanes, std::uint64_t seed, int fra
   return order;
 }
 
-/// Shaders are compiled, the stream grows to what the whole city takes, and its pages are touched.
-void warm_up(ReadyJob& ready, std::size_t lanes, int frames) {
-  for (const int frame : {0, frames / 3, frames - 1})
-    for (std::size_t lane = 0; lane < lanes; ++lane) ready.frame(lane, frame);
-}
-
-void run_part(JobCosts& costs, const PaperOptions& options, int part, Stage& stage,
-              const std::function<void(double)>& progress) {
-  ReadyJob ready(costs.job, options, stage);
-  const baselines::City& city = ready.city();
-  costs.triangles = std::accumulate(city.triangles.begin(), city.triangles.end(), std::uint64_t{0});
-  warm_up(ready, costs.lanes.size(), options.frames);
-  for (int frame = part; frame < options.frames; frame += options.parts) {
-    progress(static_cast<double>(frame) / options.frames);
-    for (const std::size_t lane : shuffled(costs.lanes.size(), options.seed, frame))
-      costs.lanes[lane].frames[static_cast<std::size_t>(frame)] = ready.frame(lane, frame);
+/// Draws what sends most, as often as the stream has buffers in turn: they grow to that, and their pages are touched.
+void warm_up(ReadyLanes& ready, std::size_t lanes) {
+  std::size_t most = 0, largest = 0;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const std::size_t bytes = ready.stream_bytes(lane, 0);
+    if (bytes > most) most = bytes, largest = lane;
   }
+  for (int i = 0; i < 3; ++i) ready.frame(largest, 0);
 }
 
-JobCosts empty_costs(const Job& job, int frames) {
-  JobCosts costs{job, 0, {}};
-  for (const Lane& lane : job.lanes)
-    costs.lanes.push_back({lane, std::vector<FrameCost>(static_cast<std::size_t>(frames))});
-  return costs;
+void mark_dirty(PaperRun& run, int part) {
+  for (LaneCosts& lane : run.lanes)
+    for (auto i = static_cast<std::size_t>(part); i < lane.frames.size();
+         i += static_cast<std::size_t>(run.options.parts))
+      lane.frames[i].dirty = true;
+}
+
+/// A software renderer draws with all cores.
+int threads(const PaperRun& run) {
+  return gl::software_renderer(run.renderer) ? static_cast<int>(std::thread::hardware_concurrency()) : 1;
+}
+
+void run_part(PaperRun& run, ReadyLanes& ready, double& best_calibration_ms, const Tell& tell) {
+  const PaperOptions& o = run.options;
+  const culling_benchmark::Watch watch;
+  for (int frame = run.parts_done; frame < o.frames; frame += o.parts) {
+    tell.progress((run.parts_done + static_cast<double>(frame) / o.frames) / o.parts);
+    for (const std::size_t lane : shuffled(run.lanes.size(), o.seed, frame))
+      run.lanes[lane].frames[static_cast<std::size_t>(frame)] = ready.frame(lane, frame);
+  }
+  const culling_benchmark::Conditions during = watch.stop();
+  best_calibration_ms = std::min(best_calibration_ms, during.calibration_ms);
+  if (disturbed(during, best_calibration_ms, threads(run))) mark_dirty(run, run.parts_done);
+  ++run.parts_done;
+  tell.part(run);
 }
 
 }  // namespace
 
-std::vector<Job> paper_jobs() {
+std::vector<Lane> paper_lanes() {
   using enum Residency;
-  std::vector<Job> jobs;
-  jobs.push_back(
-      {"C2", {}, 0, lanes({"none", "vam-block8", "vam-block6", "vam-block1", "bqr-paper", "bqr"}, {resent, resident})});
+  std::vector<Lane> lanes;
+  add_lanes(lanes, {.city = "C2"}, {"none", "vam-block8", "vam-block6", "vam-block1", "bqr-paper", "bqr"},
+            {resent, resident});
   for (const char* city : {"C1", "C3", "C4", "C5", "C6"})
-    jobs.push_back({city, {}, 0, lanes({"vam-block8", "vam-block6", "bqr-paper"}, {resent})});
+    add_lanes(lanes, {.city = city}, {"vam-block8", "vam-block6", "bqr-paper"}, {resent});
   for (const std::uint32_t cars : {0U, 100U})
-    jobs.push_back({"C2", kOneLevel, cars, lanes({"vam-block8", "bqr-paper"}, {resent})});
+    add_lanes(lanes, {.city = "C2", .levels = kOneLevel, .cars = cars}, {"vam-block8", "bqr-paper"}, {resent});
   for (const std::uint32_t cars : {1'000U, 10'000U}) {
-    jobs.push_back({"C2", kOneLevel, cars, lanes({"vam-block8", "bqr-paper"}, {resent, cars_resident, resident})});
-    if (available("bqr-paper")) jobs.back().lanes.push_back({"bqr-paper", resent, Attach::eager});
-    jobs.push_back({"C2", kFiveLevels, cars, lanes({"vam-block8", "bqr-paper"}, {resent})});
+    const Lane one{.city = "C2", .levels = kOneLevel, .cars = cars},
+        five{.city = "C2", .levels = kFiveLevels, .cars = cars};
+    add_lanes(lanes, one, {"vam-block8", "bqr-paper"}, {resent, cars_resident, resident});
+    add_lanes(lanes, five, {"vam-block8", "bqr-paper"}, {resent});
+    Lane eager = one;
+    eager.attach = Attach::eager;
+    add_lanes(lanes, eager, {"bqr-paper"}, {resent});
   }
-  return jobs;
+  return lanes;
 }
 
-PaperRun run_paper(const PaperOptions& options, const Progress& progress) {
-  return run_jobs(paper_jobs(), options, progress);
+PaperRun unmeasured(const std::vector<Lane>& lanes, const PaperOptions& options) {
+  assert(options.parts >= 1 && options.parts <= options.frames);
+  PaperRun run{options, {}, 0, {}};
+  for (const Lane& lane : lanes)
+    run.lanes.push_back({lane, 0, std::vector<FrameCost>(static_cast<std::size_t>(options.frames))});
+  return run;
 }
 
-PaperRun run_jobs(std::vector<Job> jobs, const PaperOptions& options, const Progress& progress) {
-  PaperRun run{options, gl::renderer_name(), 0, {}};
-  for (const Job& job : jobs) run.jobs.push_back(empty_costs(job, options.frames));
-  Stage stage(options.width, options.height);
+void measure(PaperRun& run, const Tell& tell) {
+  if (run.parts_done == run.options.parts) return;
   const auto begin = Clock::now();
-  const auto steps = static_cast<double>(jobs.size()) * options.parts;
-  double longest_s = 0, step = 0;
-  for (; run.parts_done < options.parts; ++run.parts_done) {
+  tell.progress(static_cast<double>(run.parts_done) / run.options.parts);
+  std::vector<Lane> lanes;
+  for (const LaneCosts& costs : run.lanes) lanes.push_back(costs.lane);
+  Stage stage(run.options.width, run.options.height);
+  ReadyLanes ready(lanes, run.options, stage);
+  for (std::size_t i = 0; i < lanes.size(); ++i) run.lanes[i].city_triangles = ready.city_triangles(i);
+  warm_up(ready, lanes.size());
+  double longest_s = 0, best_calibration_ms = culling_benchmark::calibrate_ms();
+  while (run.parts_done < run.options.parts &&
+         (run.parts_done == 0 || seconds_since(begin) + longest_s <= run.options.budget_s)) {
     const double before_s = seconds_since(begin);
-    if (run.parts_done > 0 && before_s + longest_s > options.budget_s) break;
-    for (JobCosts& costs : run.jobs) {
-      run_part(costs, options, run.parts_done, stage,
-               [&](double done) { progress("Pina 2009, " + costs.job.city, (step + done) / steps); });
-      ++step;
-    }
+    run_part(run, ready, best_calibration_ms, tell);
     longest_s = std::max(longest_s, seconds_since(begin) - before_s);
   }
-  return run;
+  tell.progress(1);
 }
 
 }  // namespace manzana::paper

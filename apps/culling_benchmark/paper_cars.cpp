@@ -24,17 +24,10 @@ std::size_t level_of(std::span<const CarLevel> levels, double radius_px) {
   return level;
 }
 
-std::uint64_t SeenCars::triangles() const {
-  std::uint64_t sum = 0;
-  for (std::size_t i = 0; i < count.size(); ++i) sum += std::uint64_t{count[i]} * levels[i].triangles;
-  return sum;
-}
-
-StreetFinder::StreetFinder(const Streets& streets, std::span<const std::uint32_t> order) {
-  std::vector<std::uint32_t> position(streets.city.objects());
+StreetFinder::StreetFinder(const baselines::City& city, std::span<const std::uint32_t> order) {
+  std::vector<std::uint32_t> position(city.objects());
   for (std::uint32_t i = 0; i < position.size(); ++i) position[order.empty() ? i : order[i]] = i;
-  for (std::uint32_t b = 0; b < streets.city.blocks.size(); ++b)
-    entries_.push_back({position[streets.street_row(b)], b});
+  for (std::uint32_t b = 0; b < city.blocks.size(); ++b) entries_.push_back({position[street_row(city, b)], b});
   std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.position < b.position; });
 }
 
@@ -47,29 +40,31 @@ void StreetFinder::find(std::span<const culling::ObjectRun> runs, std::vector<st
   }
 }
 
-void attach_cars(const Streets& streets, std::span<const std::uint32_t> blocks, std::uint64_t tick, Attach attach,
+void attach_cars(const Traffic& traffic, std::span<const std::uint32_t> blocks, std::uint64_t tick, Attach attach,
                  SeenCars& seen) {
   seen.states.clear();
   if (attach == Attach::lazy) {
-    for (const std::uint32_t block : blocks) cars_of_block(streets.traffic, block, tick, seen.states);
+    for (const std::uint32_t block : blocks) cars_of_block(traffic, block, tick, seen.states);
     return;
   }
-  seen.in_view.assign(streets.city.blocks.size(), 0);
+  seen.in_view.assign(traffic.block_first.size() - 1, 0);
   for (const std::uint32_t block : blocks) seen.in_view[block] = 1;
-  for (std::uint32_t car = 0; car < streets.traffic.cars(); ++car) {
-    const CarState state = car_at(streets.traffic, car, tick);
-    if (seen.in_view[streets.traffic.halves[state.half].block] != 0) seen.states.push_back(state);
+  for (std::uint32_t car = 0; car < traffic.cars(); ++car) {
+    const CarState state = car_at(traffic, car, tick);
+    if (seen.in_view[traffic.halves[state.half].block] != 0) seen.states.push_back(state);
   }
 }
 
-void choose_levels(const culling::View& view, int height, SeenCars& seen) {
+void choose_levels(std::span<const CarLevel> levels, const culling::View& view, int height, SeenCars& seen) {
   const double focal_px = height / (view.tan_top - view.tan_bottom);
-  seen.count.assign(seen.levels.size(), 0);
+  seen.count.assign(levels.size(), 0);
   seen.level.clear();
+  seen.triangles = 0;
   for (const CarState& car : seen.states) {
     const double radius = culling::projected_radius(kCarRadius, glm::distance(car.position, view.eye), focal_px);
-    seen.level.push_back(static_cast<std::uint8_t>(level_of(seen.levels, radius)));
+    seen.level.push_back(static_cast<std::uint8_t>(level_of(levels, radius)));
     ++seen.count[seen.level.back()];
+    seen.triangles += levels[seen.level.back()].triangles;
   }
   std::array<std::uint32_t, kFiveLevels.size()> next{};
   for (std::size_t i = 1; i < seen.count.size(); ++i) next[i] = next[i - 1] + seen.count[i - 1];

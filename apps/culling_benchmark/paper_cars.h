@@ -1,9 +1,8 @@
 #pragma once
 /// The cars of the blocks that a structure has found, with the level of detail that each is drawn at.
-///   SeenCars seen(kFiveLevels);
 ///   finder.find(answer.runs, blocks);                          // each frame; no allocation once all have grown
-///   attach_cars(streets, blocks, tick, Attach::lazy, seen);
-///   choose_levels(view, height, seen);
+///   attach_cars(traffic, blocks, tick, Attach::lazy, seen);
+///   choose_levels(kFiveLevels, view, height, seen);
 ///   seen.instances: level by level, seen.count[level] of each
 #include <array>
 #include <span>
@@ -34,11 +33,9 @@ struct CarInstance {
 static_assert(sizeof(CarInstance) == 24);
 
 struct SeenCars {
-  explicit SeenCars(std::span<const CarLevel> of) : levels(of) {}
-  std::span<const CarLevel> levels;
   std::vector<CarInstance> instances;  ///< sorted by level
   std::vector<std::uint32_t> count;    ///< a row a level
-  std::uint64_t triangles() const;
+  std::uint64_t triangles = 0;         ///< of all of them
 
   std::vector<CarState> states;     ///< of the cars found; scratch
   std::vector<std::uint8_t> level;  ///< of each state; scratch
@@ -49,8 +46,8 @@ struct SeenCars {
 class StreetFinder {
  public:
   StreetFinder() = default;
-  /// `order`: the structure's, position -> row of the city; empty: positions are rows.
-  StreetFinder(const Streets& streets, std::span<const std::uint32_t> order);
+  /// `city`: with streets. `order`: the structure's, position -> row of the city; empty: positions are rows.
+  StreetFinder(const baselines::City& city, std::span<const std::uint32_t> order);
   /// `blocks` is cleared first.
   void find(std::span<const culling::ObjectRun> runs, std::vector<std::uint32_t>& blocks) const;
 
@@ -66,9 +63,9 @@ class StreetFinder {
 enum class Attach : std::uint8_t { lazy, eager };
 
 /// Fills states of the cars on these blocks at that tick.
-void attach_cars(const Streets& streets, std::span<const std::uint32_t> blocks, std::uint64_t tick, Attach attach,
+void attach_cars(const Traffic& traffic, std::span<const std::uint32_t> blocks, std::uint64_t tick, Attach attach,
                  SeenCars& seen);
 /// Chooses levels and sorts: states -> instances. height: of the picture in pixels.
-void choose_levels(const culling::View& view, int height, SeenCars& seen);
+void choose_levels(std::span<const CarLevel> levels, const culling::View& view, int height, SeenCars& seen);
 
 }  // namespace manzana::paper

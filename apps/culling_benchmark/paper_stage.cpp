@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "apps/culling_benchmark/paper_colour.h"
-#include "culling_benchmark_paper_shaders.h"
+#include "culling_benchmark_parts_shaders.h"
 #include "gl/program.h"
 #include "scenegraph/draw/camera.h"
 
@@ -126,8 +126,8 @@ struct Stage::Batch {
   std::size_t commands;
 };
 
-CityModel::CityModel(Geometry own, bool on_device) : geometry(std::move(own)) {
-  if (!on_device) return;
+void CityModel::put_on_device() {
+  if (corners.name() != 0) return;
   corners = gl::make_buffer(std::as_bytes(std::span(geometry.corners)));
   indices = gl::make_buffer(std::as_bytes(std::span(geometry.indices)));
 }
@@ -136,6 +136,16 @@ Fleet::Fleet(std::span<const CarLevel> levels) {
   for (const CarLevel& level : levels) append(geometry, make_car(level.triangles));
   corners = gl::make_buffer(std::as_bytes(std::span(geometry.corners)));
   indices = gl::make_buffer(std::as_bytes(std::span(geometry.indices)));
+}
+
+std::size_t stream_bytes(const CityModel& city, std::span<const ObjectRun> runs, const Fleet& fleet,
+                         const SeenCars& cars, Residency residency) {
+  const std::size_t cars_seen = cars.instances.size(), car_commands = std::max(cars_seen, cars.count.size());
+  return (residency == Residency::resident ? 0 : stream_bytes(size_of(city.geometry, runs))) +
+         (residency == Residency::resent ? stream_bytes(size_of(fleet, cars)) : 0) +
+         StreamBuffer::padded(cars_seen * sizeof(CarInstance)) +
+         StreamBuffer::padded(car_commands * sizeof(DrawCommand)) +
+         StreamBuffer::padded(runs.size() * sizeof(DrawCommand));
 }
 
 std::uint64_t triangles(const Geometry& geometry, std::span<const ObjectRun> runs) {
@@ -151,16 +161,10 @@ Stage::Stage(int width, int height)
 
 void Stage::draw(const CityModel& city, std::span<const ObjectRun> runs, const Fleet& fleet, const SeenCars& cars,
                  const culling::View& view, Residency residency) {
-  const bool city_resident = residency == Residency::resident, cars_resident = residency != Residency::resent;
-  const std::size_t cars_seen = cars.instances.size();
-  stream_.begin((city_resident ? 0 : stream_bytes(size_of(city.geometry, runs))) +
-                (cars_resident ? 0 : stream_bytes(size_of(fleet, cars))) +
-                StreamBuffer::padded(cars_seen * sizeof(CarInstance)) +
-                StreamBuffer::padded(std::max(cars_seen, cars.count.size()) * sizeof(DrawCommand)) +
-                StreamBuffer::padded(runs.size() * sizeof(DrawCommand)));
+  stream_.begin(stream_bytes(city, runs, fleet, cars, residency));
   begin_frame(view);
-  draw_city(city, runs, city_resident);
-  if (cars_seen > 0) draw_cars(fleet, cars, cars_resident);
+  draw_city(city, runs, residency == Residency::resident);
+  if (!cars.instances.empty()) draw_cars(fleet, cars, residency != Residency::resent);
   draw_ground();
   stream_.end();
 }

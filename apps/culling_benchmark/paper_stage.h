@@ -1,7 +1,7 @@
 #pragma once
 /// Draws what a structure has found, in one of three ways of getting geometry to the device. A context must be current.
 ///   Stage stage(640, 360);
-///   CityModel model(arranged(rows, peer->order()), true);
+///   CityModel model(arranged(rows, peer->order()));
 ///   stage.draw(model, answer.runs, fleet, seen, view, Residency::resent);   // up to the last GL call
 ///   glFinish();                                                            // up to the picture
 /// The same triangles in the same way in each; only the sending differs. No faces are culled, as in the paper. In a
@@ -18,9 +18,10 @@ namespace manzana::paper {
 /// cars' meshes stay there; nothing but commands and places.
 enum class Residency : std::uint8_t { resent, cars_resident, resident };
 
-/// A city in the order of one structure; on the device too when some frame wants it resident.
+/// A city in the order of one structure.
 struct CityModel {
-  CityModel(Geometry own, bool on_device);
+  explicit CityModel(Geometry own) : geometry(std::move(own)) {}
+  void put_on_device();  ///< for Residency::resident; once is enough
   Geometry geometry;
   gl::Buffer corners, indices;
 };
@@ -56,6 +57,10 @@ class Stage {
   gl::Buffer ground_;
   gl::StreamBuffer stream_;
 };
+
+/// What a frame needs of the stream.
+std::size_t stream_bytes(const CityModel& city, std::span<const culling::ObjectRun> runs, const Fleet& fleet,
+                         const SeenCars& cars, Residency residency);
 
 /// Triangles of these runs.
 std::uint64_t triangles(const Geometry& geometry, std::span<const culling::ObjectRun> runs);

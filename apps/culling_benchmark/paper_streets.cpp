@@ -29,7 +29,7 @@ using Place = std::pair<long long, long long>;
 
 Place place_of(const Vec2d& at) { return {std::llround(at.x * 1000), std::llround(at.y * 1000)}; }
 
-/// Lives for one call of make_streets.
+/// Lives for one call of make_traffic.
 class StreetMaker {
  public:
   StreetMaker(const City& city, std::uint64_t seed) : city_(city), seed_(seed) {
@@ -167,13 +167,15 @@ void add_block(City& city, const City& from, std::uint32_t block, const BoxD& st
 
 }  // namespace
 
-Streets make_streets(const City& city, std::uint32_t cars, std::uint64_t seed) {
-  Streets streets;
-  streets.traffic = StreetMaker(city, seed).run(cars);
-  for (std::uint32_t b = 0; b < city.blocks.size(); ++b)
-    add_block(streets.city, city, b, streets_of(streets.traffic, b));
-  streets.city.flown = city.flown.empty() ? city.bounds : city.flown;  // the flight stays as it is
-  return streets;
+Traffic make_traffic(const City& city, std::uint32_t cars, std::uint64_t seed) {
+  return StreetMaker(city, seed).run(cars);
+}
+
+City with_streets(const City& city, const Traffic& traffic) {
+  City wider;
+  for (std::uint32_t b = 0; b < city.blocks.size(); ++b) add_block(wider, city, b, streets_of(traffic, b));
+  wider.flown = city.flown.empty() ? city.bounds : city.flown;  // the flight stays as it is
+  return wider;
 }
 
 }  // namespace manzana::paper

@@ -136,7 +136,9 @@ std::string case_text(std::span<const SummaryRow> table, const std::string& name
 
 std::string report_md(const Options& options, std::span<const SummaryRow> table, std::span<const std::string> wrong,
                       std::span<const std::string> plots) {
-  std::string text = head_text(options) + verdict_text(table, wrong) + goals_text(table) + rivals_text(table);
+  std::string text = head_text(options);
+  if (table.empty()) return text;
+  text += verdict_text(table, wrong) + goals_text(table) + rivals_text(table);
   text += image(plots, "size_paper") + image(plots, "size_objects");
   text += growth_text(table) + image(plots, "growth") + trade_text(table);
   for (const TradePlace& place : trade_places()) text += image(plots, place.name);

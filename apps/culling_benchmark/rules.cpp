@@ -9,6 +9,11 @@ constexpr double kQuickSeconds = 52;  // the report takes the rest of the minute
 
 bool is_million(const std::string& name) { return name.starts_with("1M"); }
 
+/// What to measure is left to the program.
+bool says_nothing(const Options& options) {
+  return options.cases.empty() && !options.growth && !options.trade && !options.paper;
+}
+
 }  // namespace
 
 Rules rules_of(const Options& options) {
@@ -25,13 +30,15 @@ double row_seconds(const std::string& case_name) {
 std::vector<std::string> cases_of(const Options& options) {
   std::vector<std::string> all = options.cases;
   const auto add = [&](const std::vector<std::string>& more) { all.insert(all.end(), more.begin(), more.end()); };
-  const bool unsaid = all.empty() && !options.growth && !options.trade;
+  const bool unsaid = says_nothing(options);
   if (unsaid)
     add(options.quick ? std::vector<std::string>{"C2", "10k", "100k", "100k-cold", "1M-1km"} : names_of(Family::speed));
   if (options.growth || (unsaid && !options.quick)) add(names_of(Family::growth));
   if (options.trade || (unsaid && !options.quick)) add(names_of(Family::trade));
   return all;
 }
+
+bool with_paper(const Options& options) { return options.paper || (says_nothing(options) && !options.quick); }
 
 int frames_of(const Options& options, const std::string& case_name) {
   if (options.frames) return *options.frames;

@@ -20,6 +20,8 @@ Rules rules_of(const Options& options);
 double row_seconds(const std::string& case_name);
 
 std::vector<std::string> cases_of(const Options& options);
+/// Whether the experiments of Pina 2009 are drawn.
+bool with_paper(const Options& options);
 int frames_of(const Options& options, const std::string& case_name);
 
 /// Of the time of a quick run that a case gets, in parts.

@@ -80,3 +80,15 @@ TEST_CASE("options: help, version and the list need no folder") {
   for (const baselines::PeerInfo& peer : baselines::peers())
     CHECK(list_text().find("  " + std::string(peer.slug) + " ") != std::string::npos);
 }
+
+TEST_CASE("options: the paper's experiments are part of a full run, and may be all of one") {
+  CHECK(with_paper(*parse({"--out", "x"}).options));
+  CHECK(!with_paper(*parse({"--out", "x", "--quick"}).options));
+  CHECK(!with_paper(*parse({"--out", "x", "--case", "C2"}).options));
+  const Parsed both = parse({"--out", "x", "--quick", "--case", "C2", "--paper"}),
+               alone = parse({"--out", "x", "--paper"});
+  CHECK(with_paper(*both.options));
+  CHECK(cases_of(*both.options) == Texts{"C2"});
+  CHECK(with_paper(*alone.options));
+  CHECK(cases_of(*alone.options).empty());
+}

@@ -23,6 +23,13 @@ bool within(const BoxD& inner, const BoxD& outer) {
   return glm::all(glm::lessThanEqual(outer.min, inner.min)) && glm::all(glm::lessThanEqual(inner.max, outer.max));
 }
 
+struct Streets {
+  Streets(const baselines::City& before, std::uint32_t cars, std::uint64_t seed)
+      : traffic(make_traffic(before, cars, seed)), city(with_streets(before, traffic)) {}
+  Traffic traffic;
+  baselines::City city;
+};
+
 BoxD round(const CarState& car, double radius) { return {car.position - radius, car.position + radius}; }
 
 std::set<std::uint32_t> ids(const std::vector<CarState>& cars) {
@@ -47,7 +54,7 @@ std::size_t missed(const Streets& streets, const culling::View& view, std::uint6
 }  // namespace
 
 TEST_CASE("every car is on a half-street of its block, and the block encloses it") {
-  const Streets streets = make_streets(city("C2"), 2000, 7);
+  const Streets streets(city("C2"), 2000, 7);
   CHECK(streets.traffic.cars() == 2000);
   for (const double seconds : {0.0, 3.3, 10.0, 1000.0}) {
     std::set<std::uint32_t> all;
@@ -55,7 +62,7 @@ TEST_CASE("every car is on a half-street of its block, and the block encloses it
       std::vector<CarState> cars;
       cars_of_block(streets.traffic, b, ticks(seconds), cars);
       for (const CarState& car : cars) {
-        CHECK(within(round(car, kCarRadius - kRounding), streets.city.boxes[streets.street_row(b)]));
+        CHECK(within(round(car, kCarRadius - kRounding), streets.city.boxes[street_row(streets.city, b)]));
         CHECK(within(round(car, kCarRadius - kRounding), streets.city.blocks[b].box));
         CHECK(all.insert(car.car).second);
       }
@@ -66,18 +73,18 @@ TEST_CASE("every car is on a half-street of its block, and the block encloses it
 
 TEST_CASE("streets add no triangles, and blocks enclose all they did") {
   const baselines::City before = city("C6");
-  const Streets streets = make_streets(before, 100, 1);
+  const Streets streets(before, 100, 1);
   REQUIRE(streets.city.blocks.size() == before.blocks.size());
   CHECK(streets.city.objects() == before.objects() + before.blocks.size());
   for (std::uint32_t b = 0; b < before.blocks.size(); ++b) {
     CHECK(within(before.blocks[b].box, streets.city.blocks[b].box));
-    CHECK(streets.city.triangles[streets.street_row(b)] == 0);
+    CHECK(streets.city.triangles[street_row(streets.city, b)] == 0);
     CHECK(streets.city.blocks[b].center == before.blocks[b].center);
   }
 }
 
 TEST_CASE("cars keep their speed, and some come to other blocks") {
-  const Streets streets = make_streets(city("C2"), 500, 3);
+  const Streets streets(city("C2"), 500, 3);
   const auto block = [&](const CarState& car) { return streets.traffic.halves[car.half].block; };
   constexpr double kStep = 0.5;
   int moved = 0, turned = 0;
@@ -97,15 +104,15 @@ TEST_CASE("cars keep their speed, and some come to other blocks") {
 }
 
 TEST_CASE("eager and lazy attachment give the same cars, and none in view is missed") {
-  const Streets streets = make_streets(city("C2"), 1000, 5);
+  const Streets streets(city("C2"), 1000, 5);
   std::vector<std::uint32_t> blocks;
-  SeenCars lazy(kFiveLevels), eager(kFiveLevels);
+  SeenCars lazy, eager;
   baselines::Answer answer;
   for (const char* slug : {"none", "bqr", "bqr-paper", "vam-block8", "vam-block6", "vam-block1"}) {
     const auto* info = baselines::find_peer(slug);
     if (info == nullptr || !info->available) continue;
     const auto peer = info->make(streets.city);
-    const StreetFinder finder(streets, peer->order());
+    const StreetFinder finder(streets.city, peer->order());
     std::size_t in_view = 0;
     for (int i = 0; i < 12; ++i) {
       INFO(slug << ", frame " << i);
@@ -113,8 +120,8 @@ TEST_CASE("eager and lazy attachment give the same cars, and none in view is mis
       peer->query(culling::make_frustum(view), answer);
       finder.find(answer.runs, blocks);
       const std::uint64_t tick = ticks(i * 0.7);
-      attach_cars(streets, blocks, tick, Attach::lazy, lazy);
-      attach_cars(streets, blocks, tick, Attach::eager, eager);
+      attach_cars(streets.traffic, blocks, tick, Attach::lazy, lazy);
+      attach_cars(streets.traffic, blocks, tick, Attach::eager, eager);
       CHECK(lazy.states.size() == eager.states.size());
       CHECK(ids(lazy.states) == ids(eager.states));
       CHECK(missed(streets, view, tick, ids(lazy.states), in_view) == 0);
@@ -138,13 +145,13 @@ TEST_CASE("a car's level is the finest that its size in the picture allows") {
 }
 
 TEST_CASE("cars are sorted by level, the nearest first") {
-  const Streets streets = make_streets(city("C2"), 1000, 5);
+  const Streets streets(city("C2"), 1000, 5);
   std::vector<std::uint32_t> all(streets.city.blocks.size());
   std::iota(all.begin(), all.end(), 0U);
-  SeenCars seen(kFiveLevels);
-  attach_cars(streets, all, 0, Attach::lazy, seen);
+  SeenCars seen;
+  attach_cars(streets.traffic, all, 0, Attach::lazy, seen);
   const culling::View view = baselines::flight(streets.city, kNoFar, 0.3);
-  choose_levels(view, 720, seen);
+  choose_levels(kFiveLevels, view, 720, seen);
   REQUIRE(seen.instances.size() == 1000);
   double farthest = 0;
   std::size_t i = 0;
@@ -160,7 +167,7 @@ TEST_CASE("cars are sorted by level, the nearest first") {
     CHECK((level == 0 || seen.count[level] > 0));
   }
   CHECK(i == 1000);
-  CHECK(seen.triangles() == triangles);
+  CHECK(seen.triangles == triangles);
 }
 
 }  // namespace manzana::paper
