@@ -15,8 +15,6 @@ namespace {
 
 using baselines::City;
 
-bool built_in(const std::string& name) { return name.starts_with("builtin:"); }
-
 City make_city_for(const std::string& name, std::uint64_t seed) {
   if (const auto* speed = baselines::find_case(name)) return make_city(*speed, seed);
   if (const Growth* growth = find_growth(name)) return baselines::make_city(growth->objects, seed);
@@ -55,8 +53,12 @@ std::vector<std::string> names_of(Family family) {
   return family == Family::trade ? names_in(trade_places()) : std::vector<std::string>{};
 }
 
+bool is_from_file(const std::string& name) {
+  return case_info(name).family == Family::file && !name.starts_with("builtin:");
+}
+
 void look_up_case(const std::string& name) {
-  if (case_info(name).family == Family::file && !built_in(name) && !std::filesystem::exists(name))
+  if (is_from_file(name) && !std::filesystem::exists(name))
     throw std::runtime_error(name + ": no such case (see --list), nor a file");
 }
 
@@ -98,7 +100,7 @@ std::shared_ptr<const City> Cities::get(const std::string& case_name, std::uint6
 }
 
 std::string scene_state(const std::string& case_name) {
-  if (case_info(case_name).family != Family::file || built_in(case_name)) return "generated";
+  if (!is_from_file(case_name)) return "generated";
   if (!std::filesystem::exists(case_name)) return "missing";
   const auto changed = std::filesystem::last_write_time(case_name).time_since_epoch();
   return std::to_string(std::filesystem::file_size(case_name)) + "@" +

@@ -19,6 +19,9 @@ struct CaseInfo {
 CaseInfo case_info(const std::string& name);
 std::vector<std::string> names_of(Family family);
 
+/// Not generated, nor built in.
+bool is_from_file(const std::string& name);
+
 /// Throws std::runtime_error when `name` is neither a case nor a file nor built in; cheap.
 void look_up_case(const std::string& name);
 

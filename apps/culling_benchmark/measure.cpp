@@ -202,7 +202,7 @@ bool is_finished(std::span<const RunRow> finished, const RunRow& expected) {
 
 std::string file_name(const std::string& case_name) {
   std::string name;
-  for (const char c : case_name)
+  for (const char c : std::filesystem::path(case_name).filename().string())
     name += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' ? c : '_';
   return name;
 }

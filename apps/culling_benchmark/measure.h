@@ -22,7 +22,7 @@ void measure(const Options& options, std::span<const RunRow> finished, const Tel
 RunRow expected_row(const Options& options, const std::string& case_name, std::string_view peer, int process);
 bool is_finished(std::span<const RunRow> finished, const RunRow& expected);
 
-/// A name for files: letters, digits, dots and dashes are kept.
+/// A name for files: of a path its last part; letters, digits, dots and dashes are kept.
 std::string file_name(const std::string& case_name);
 
 }  // namespace manzana::culling_benchmark

@@ -128,7 +128,8 @@ std::string case_text(std::span<const SummaryRow> table, const std::string& name
     if (s.case_name == name) rows.push_back(cells(s));
   if (const SummaryRow* bqr = find_row(table, name, "bqr"))
     text += grouped(static_cast<double>(*bqr->objects)) + " objects in " + grouped(static_cast<double>(*bqr->blocks)) +
-            " blocks; " + std::to_string(*bqr->frames) + " frames.";
+            " blocks, " + std::to_string(*bqr->frames) + " frames." +
+            (is_from_file(name) ? " Data \u00a9 OpenStreetMap contributors." : "");
   return text + "\n\n" + md_table(rows) + image(plots, path_plot_name(name));
 }
 
