@@ -20,9 +20,11 @@ namespace manzana::culling_benchmark {
 namespace {
 
 std::string columns_md() {
-  return "# Columns\nAn empty cell is a value that was not measured.\n\n## summary.csv\n" + explain(summary_columns()) +
-         "\n## runs.csv\n" + explain(run_columns()) + "\n## frames/CASE_PEER.csv (first process)\n" +
-         explain(frame_columns()) + paper_columns_md();
+  return "# Columns\nAn empty cell is a value that was not measured.\n\n## summary.csv; front.csv has its rows that "
+         "are best in the "
+         "trade\n" +
+         explain(summary_columns()) + "\n## runs.csv\n" + explain(run_columns()) +
+         "\n## frames/CASE_PEER.csv (first process)\n" + explain(frame_columns()) + paper_columns_md();
 }
 
 /// What ended in the middle of writing a file leaves its part.
@@ -46,6 +48,8 @@ int time_all(const Options& options, const std::vector<std::string>& arguments) 
   const auto table = summarise(options, rows);
   const auto wrong = faults(rows);
   apps::write_whole(options.out / "summary.csv", to_csv(table));
+  if (const auto front = trade_front(table); !front.empty())
+    apps::write_whole(options.out / "front.csv", to_csv(front));
   apps::write_whole(options.out / "columns.md", columns_md());
   const PaperPart paper = with_paper(options) ? measure_paper(options, arguments) : PaperPart{};
   const auto plots = draw_all(options.out, all_plots(options, table, paper));

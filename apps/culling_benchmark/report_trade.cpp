@@ -113,6 +113,14 @@ std::string trade_text(std::span<const SummaryRow> table) {
          text;
 }
 
+std::vector<SummaryRow> trade_front(std::span<const SummaryRow> table) {
+  std::vector<SummaryRow> front;
+  for (const SummaryRow& row : table)
+    if (find_trade_place(row.case_name) != nullptr && row.peer != "bqr" && row.measured() && on_front(table, row))
+      front.push_back(row);
+  return front;
+}
+
 std::vector<Script> trade_plots(std::span<const SummaryRow> table) {
   std::vector<Script> scripts;
   for (const TradePlace& place : trade_places())

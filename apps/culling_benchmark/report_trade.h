@@ -11,6 +11,9 @@ std::string trade_text(std::span<const SummaryRow> table);
 /// The place's name: false positives against time.
 std::vector<Script> trade_plots(std::span<const SummaryRow> table);
 
+/// front.csv: the rows that are on the front, with all columns of summary.csv.
+std::vector<SummaryRow> trade_front(std::span<const SummaryRow> table);
+
 /// Whether nothing at that place is at least as quick and as accurate, and better in one.
 bool on_front(std::span<const SummaryRow> table, const SummaryRow& row);
 

@@ -113,4 +113,8 @@ TEST_CASE("trade: the front is what nothing beats in both") {
   CHECK(on_front(table, table[2]));
   CHECK_FALSE(on_front(table, table[3]));
   CHECK_FALSE(on_front(table, table[4]));
+  const auto front = trade_front(table);
+  REQUIRE(front.size() == 2);
+  CHECK(front[0].peer == "a");
+  CHECK(front[1].peer == "b");
 }
