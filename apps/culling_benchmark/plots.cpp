@@ -24,7 +24,7 @@ Script path_plot(std::span<const SummaryRow> table, const std::string& case_name
   for (const Line& line : kLines) {
     if (line.peer == "none" || find_row(table, case_name, line.peer) == nullptr) continue;
     const std::string file = in_quotes("frames/" + file_name(case_name) + "_" + std::string(line.peer) + ".csv");
-    times.push_back(file + " skip 1 using 1:2 with lines" + line_style(line.peer));
+    times.push_back(file + " skip 1 using 1:2 with linespoints pt 7 ps 0.25" + line_style(line.peer));
     if (counts.empty()) counts.push_back(file + " skip 1 using 1:4 with lines lw 5 lc rgb '#cccccc' title 'exact'");
     counts.push_back(file + " skip 1 using 1:3 with lines" + line_style(line.peer));
   }

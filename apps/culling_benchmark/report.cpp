@@ -57,20 +57,22 @@ Doubts doubts_of(std::span<const SummaryRow> table, const Rules& rules) {
   return d;
 }
 
+constexpr const char* kHow = R"(## How it was timed
+One thread, unless a case says otherwise. A round is a flight along Pina's figure 4: each query alone between two readings
+of the steady clock, less what a reading costs; its time is the median over the frames. Where time is short a round has
+fewer frames, spread over the ranks of their costs so that their median is near that of all. A pair is a round of the
+structure and one of bqr, in an order that chance decides, in one process. *x bqr* is the median over the pairs of one
+time over the other (of the logarithm); for bqr itself, over a second bqr: what the method cannot tell apart. In cold cases
+96 MiB are read and written between two queries. *exact* are the objects whose box meets the view, by separating axes in
+double, in long double where that leaves a doubt; sums are over all frames of the flight, in every process again.
+
+)";
+
 std::string how_text(const Options& options, std::span<const SummaryRow> table) {
   const Rules rules = rules_of(options);
   const Doubts d = doubts_of(table, rules);
   const auto count = [&](std::size_t n) { return std::to_string(n) + " of " + std::to_string(d.rows) + " rows"; };
-  std::string text =
-      "## How it was timed\n"
-      "One thread. A round is a flight along Pina's figure 4: each query alone between two readings of the steady "
-      "clock, less what a reading costs; its time is the median over the frames. A pair is a round of the structure "
-      "and one of bqr, in an order that chance decides, in one process. *x bqr* is the median over the pairs of one "
-      "time over the other (of the logarithm); for bqr itself, over a second bqr: what the method cannot tell apart. "
-      "In cold cases 96 MiB are read and written between two queries. *exact* are the objects whose box meets the "
-      "view, "
-      "by separating axes in double, in long double where that leaves a doubt; sums are over all frames of the "
-      "flight, in every process again.\n\n";
+  std::string text = kHow;
   text += rules.processes == 1
               ? "**Quick**: one process, at least nine pairs; an interval is that of one process (95 % by rank), and "
                 "too narrow by itself. "
@@ -79,8 +81,8 @@ std::string how_text(const Options& options, std::span<const SummaryRow> table) 
                     "median with 96.9 %). Fewer processes than that: " +
                     count(d.few_processes) + ". ";
   text += "Fewer than 50 pairs: " + count(d.few_pairs) +
-          ". A loop of fixed work before and after each row, and what "
-          "other programs took, say whether the machine was left to us; rows for which it was not, in up to " +
+          ". A loop of fixed work before and after each row, and what other programs took, say whether the machine was "
+          "left to us; rows for which it was not, in up to " +
           std::to_string(kAttempts) + " attempts, are marked dirty: " + count(d.dirty) + ".\n\n";
   return text;
 }
