@@ -82,7 +82,8 @@ class Maker {
   }
   Vec3d near_body(double size) {
     for (;;) {
-      const Vec3d p = point_inside(body_, random_, reach_) + random_.direction() * (size * random_.in(0, 2));
+      const double metres = random_distance(random_, reach_);
+      const Vec3d p = point_inside(body_, random_, metres) + random_.direction() * (size * random_.in(0, 2));
       if (near_enough(p, size)) return p;
     }
   }

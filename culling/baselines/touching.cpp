@@ -21,16 +21,18 @@ Vec3d point_at(const ExactView& body, double x, double y, double along) {
 }
 
 /// A place on the edges from near to far, in units of their length (of 1 m, where there is no far plane).
-double random_depth(const ExactView& body, Random& random, double reach) {
-  const double longest = glm::distance(body.corners[0], body.corners[4]);
-  const double metres = random.chance(0.5) ? random.in(0, reach) : random.scale(1e-3, reach);
-  return body.infinite() ? metres : std::min(1.0, metres / longest);
+double along_edges(const ExactView& body, double metres) {
+  return body.infinite() ? metres : std::min(1.0, metres / glm::distance(body.corners[0], body.corners[4]));
 }
 
 }  // namespace
 
+double random_distance(Random& random, double reach) {
+  return random.chance(0.5) ? random.in(0, reach) : random.scale(1e-3, reach);
+}
+
 Touch touch(const ExactView& body, Random& random, int planes, double reach) {
-  std::array<double, 3> at{random.unit(), random.unit(), random_depth(body, random, reach)};
+  std::array<double, 3> at{random.unit(), random.unit(), along_edges(body, random_distance(random, reach))};
   // Of the three pairs of opposite planes, `planes` are chosen, and of each pair one.
   const std::size_t start = random.below(3);
   Vec3d away(0);
@@ -43,9 +45,9 @@ Touch touch(const ExactView& body, Random& random, int planes, double reach) {
   return {point_at(body, at[0], at[1], at[2]), glm::normalize(away)};
 }
 
-Vec3d point_inside(const ExactView& body, Random& random, double reach) {
+Vec3d point_inside(const ExactView& body, Random& random, double metres) {
   const double x = random.unit(), y = random.unit();
-  return point_at(body, x, y, random_depth(body, random, reach));
+  return point_at(body, x, y, along_edges(body, metres));
 }
 
 BoxD box_on(const ExactView& body, const Touch& touch, const Vec3d& size, double depth) {

@@ -11,12 +11,15 @@ struct Touch {
   Vec3d point, away;
 };
 
-/// `planes` 1: on a face, 2: on an edge, 3: at a corner; at most about `reach` from the near end of its edges, except
-/// for corners.
+/// `planes` 1: on a face, 2: on an edge, 3: at a corner; a random distance up to `reach` from the near face, about, or
+/// on the far one.
 Touch touch(const culling::ExactView& body, Random& random, int planes, double reach);
 
-/// Within the body, at most about `reach` from the near face.
-Vec3d point_inside(const culling::ExactView& body, Random& random, double reach);
+/// Within the body, `metres` from the near face, about, or at the far one; evenly spread across.
+Vec3d point_inside(const culling::ExactView& body, Random& random, double metres);
+
+/// Half of them evenly spread from 0 to `reach`, the others over the exponents from a millimetre.
+double random_distance(Random& random, double reach);
 
 /// A box of the given size, in L, one of whose corners is `depth` inside the body at the touch.
 culling::BoxD box_on(const culling::ExactView& body, const Touch& touch, const Vec3d& size, double depth);

@@ -1,0 +1,111 @@
+#include "apps/culling_benchmark/extremes_tables.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "apps/common/whole_file.h"
+#include "apps/culling_benchmark/csv.h"
+#include "apps/culling_benchmark/markdown.h"
+
+namespace manzana::culling_benchmark {
+namespace {
+
+using Row = ExtremesRow;
+constexpr std::array kRowColumns{
+    Column<Row>{"place", "", "of the eye", &Row::place},
+    Column<Row>{"near_m", "m", "near plane", &Row::near_m},
+    Column<Row>{"far_m", "m", "far plane; inf: none", &Row::far_m},
+    Column<Row>{"fovy_deg", "degrees", "field of view, along the height", &Row::fovy_deg},
+    Column<Row>{"way", "", "of culling", &Row::way},
+    Column<Row>{"precision", "", "that it computes in", &Row::precision},
+    Column<Row>{"objects", "", "any: evenly spread; touching: 1e-9 to 1e-1 m in view", &Row::objects},
+    Column<Row>{"asked", "", "objects asked about", &Row::asked},
+    Column<Row>{"seen", "", "of these exactly in view", &Row::seen},
+    Column<Row>{"missed", "", "in view but not in the answer", &Row::missed},
+    Column<Row>{"falsely_kept", "", "in the answer but not in view", &Row::falsely_kept},
+    Column<Row>{"deepest_missed_m", "m", "how far a missed object would have to move to leave the view",
+                &Row::deepest_missed_m},
+};
+constexpr std::array kFarColumns{
+    Column<FarRow>{"place", "", "of the eye", &FarRow::place},
+    Column<FarRow>{"near_m", "m", "near plane", &FarRow::near_m},
+    Column<FarRow>{"far_m", "m", "far plane as the camera has it", &FarRow::far_m},
+    Column<FarRow>{"way", "", "of culling", &FarRow::way},
+    Column<FarRow>{"precision", "", "of its matrices or planes", &FarRow::precision},
+    Column<FarRow>{"cameras", "", "asked", &FarRow::cameras},
+    Column<FarRow>{"without", "", "cameras whose far plane has no normal, or is left out", &FarRow::without},
+    Column<FarRow>{"inward_m", "m", "the far plane lies that much too near, at most", &FarRow::inward_m},
+    Column<FarRow>{"outward_m", "m", "the far plane lies that much too far, at most", &FarRow::outward_m},
+};
+
+template <class R>
+std::string table(const std::vector<R>& rows, std::span<const Column<R>> columns) {
+  std::string text = head_line<R>(columns);
+  for (const R& row : rows) text += to_line(row, columns);
+  return text;
+}
+
+std::size_t place_of(std::vector<std::string>& all, const std::string& name) {
+  const auto found = std::find(all.begin(), all.end(), name);
+  if (found != all.end()) return static_cast<std::size_t>(found - all.begin());
+  all.push_back(name);
+  return all.size() - 1;
+}
+
+}  // namespace
+
+void ExtremesSum::add(const ExtremesRow& row) {
+  asked += static_cast<double>(row.asked);
+  seen += static_cast<double>(row.seen);
+  missed += static_cast<double>(row.missed);
+  falsely_kept += static_cast<double>(row.falsely_kept);
+  deepest_missed_m = std::max(deepest_missed_m, row.deepest_missed_m);
+}
+
+ExtremesSum sum(const Extremes& extremes, const ExtremesFilter& which) {
+  ExtremesSum all;
+  for (const ExtremesRow& row : extremes.rows)
+    if (which(row)) all.add(row);
+  return all;
+}
+
+std::vector<std::vector<std::string>> pivot(const Extremes& extremes, const ExtremesFilter& which,
+                                            const ExtremesKey& key,
+                                            const std::function<std::string(const ExtremesSum&)>& cell) {
+  std::vector<std::string> ways, keys;
+  std::vector<std::vector<ExtremesSum>> sums;
+  for (const ExtremesRow& row : extremes.rows) {
+    if (!which(row)) continue;
+    const std::size_t way = place_of(ways, row.way), column = place_of(keys, key(row));
+    sums.resize(std::max(sums.size(), way + 1));
+    sums[way].resize(std::max(sums[way].size(), column + 1));
+    sums[way][column].add(row);
+  }
+  std::vector<std::vector<std::string>> cells{{""}};
+  cells[0].insert(cells[0].end(), keys.begin(), keys.end());
+  for (std::size_t way = 0; way < ways.size(); ++way) {
+    cells.push_back({ways[way]});
+    for (const ExtremesSum& s : sums[way]) cells.back().push_back(cell(s));
+  }
+  return cells;
+}
+
+std::string depths_text(double near_m, double far_m) {
+  return to_cell(near_m) + " / " + (std::isfinite(far_m) ? grouped(far_m) : "infinite");
+}
+
+std::string by_field(const ExtremesRow& row) { return to_cell(row.fovy_deg); }
+
+void write_extremes(const std::filesystem::path& folder, const Extremes& extremes) {
+  apps::write_whole(folder / "extremes.csv", table<ExtremesRow>(extremes.rows, kRowColumns));
+  apps::write_whole(folder / "extremes_far.csv", table<FarRow>(extremes.far, kFarColumns));
+  apps::write_whole(folder / "extremes.svg", extremes_svg(extremes));
+}
+
+std::string extremes_columns_md() {
+  return "## extremes.csv\n" + explain<ExtremesRow>(kRowColumns) + "\n## extremes_far.csv\n" +
+         explain<FarRow>(kFarColumns);
+}
+
+}  // namespace manzana::culling_benchmark
