@@ -2,9 +2,11 @@
 
 #include <cstdio>
 
+#include "apps/common/progress_bar.h"
 #include "apps/common/whole_file.h"
 #include "apps/culling_benchmark/catalogue.h"
 #include "apps/culling_benchmark/child.h"
+#include "apps/culling_benchmark/extremes.h"
 #include "apps/culling_benchmark/frame_table.h"
 #include "apps/culling_benchmark/paper_plots.h"
 #include "apps/culling_benchmark/paper_section.h"
@@ -20,11 +22,11 @@ namespace manzana::culling_benchmark {
 namespace {
 
 std::string columns_md() {
-  return "# Columns\nAn empty cell is a value that was not measured.\n\n## summary.csv; front.csv has its rows that "
-         "are best in the "
-         "trade\n" +
+  return "# Columns\nAn empty cell is a value that was not measured.\n\n"
+         "## summary.csv; front.csv has its rows that are best in the trade\n" +
          explain(summary_columns()) + "\n## runs.csv\n" + explain(run_columns()) +
-         "\n## frames/CASE_PEER.csv (first process)\n" + explain(frame_columns()) + paper_columns_md();
+         "\n## frames/CASE_PEER.csv (first process)\n" + explain(frame_columns()) + paper_columns_md() +
+         extremes_columns_md();
 }
 
 /// What ended in the middle of writing a file leaves its part.
@@ -40,20 +42,35 @@ std::vector<Script> all_plots(const Options& options, std::span<const SummaryRow
   return scripts;
 }
 
+/// Empty when it is not asked for.
+std::string extremes_section(const Options& options, std::vector<std::string>& wrong) {
+  if (!with_extremes(options)) return {};
+  apps::ProgressBar bar(stderr);
+  const Extremes extremes = run_extremes({.seed = options.seed, .cameras = options.quick ? 20 : 100}, [&](double done) {
+    throw_if_interrupted();
+    bar.show("extremes", done);
+  });
+  write_extremes(options.out, extremes);
+  for (const std::string& line : extremes_faults(extremes)) wrong.push_back(line);
+  return extremes_md(extremes);
+}
+
 int time_all(const Options& options, const std::vector<std::string>& arguments) {
   for (const std::string& name : cases_of(options)) look_up_case(name);
   apps::make_folder(options.out);
   remove_parts(options.out);
   const auto rows = run_all(options, arguments);
   const auto table = summarise(options, rows);
-  const auto wrong = faults(rows);
+  auto wrong = faults(rows);
   apps::write_whole(options.out / "summary.csv", to_csv(table));
   if (const auto front = trade_front(table); !front.empty())
     apps::write_whole(options.out / "front.csv", to_csv(front));
   apps::write_whole(options.out / "columns.md", columns_md());
   const PaperPart paper = with_paper(options) ? measure_paper(options, arguments) : PaperPart{};
+  const std::string extremes = extremes_section(options, wrong);
   const auto plots = draw_all(options.out, all_plots(options, table, paper));
-  apps::write_whole(options.out / "report.md", report_md(options, table, wrong, plots) + paper_section(paper, plots));
+  apps::write_whole(options.out / "report.md",
+                    report_md(options, table, wrong, plots) + extremes + paper_section(paper, plots));
   std::printf("written to %s; read report.md first\n", options.out.c_str());
   for (const std::string& line : wrong) std::fprintf(stderr, "WRONG: %s\n", line.c_str());
   return wrong.empty() ? 0 : 1;

@@ -14,6 +14,14 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
+}  // namespace
+
+void throw_if_interrupted() {
+  if (interrupted != 0) throw Interrupted();
+}
+
+namespace {
+
 /// A child that is ended and waited for whatever happens.
 class Child {
  public:
@@ -41,7 +49,7 @@ class Child {
     std::array<char, 4096> bytes{};
     ssize_t n = 0;
     do {
-      if (interrupted != 0) throw Interrupted();
+      throw_if_interrupted();
       n = read(out_, bytes.data(), bytes.size());
     } while (n < 0 && errno == EINTR);
     if (n > 0) text.append(bytes.data(), static_cast<std::size_t>(n));

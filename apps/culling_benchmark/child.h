@@ -16,6 +16,9 @@ struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
+/// For work of our own between children.
+void throw_if_interrupted();
+
 /// Gives each whole line of the child's stdout, and returns its exit code; 128 + signal when it was killed, 127 when it
 /// cannot be run. Throws Interrupted, and what `line` throws, after the child has ended.
 int run_child(const std::vector<std::string>& command, const std::function<void(const std::string&)>& line);

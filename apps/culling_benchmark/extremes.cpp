@@ -3,8 +3,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <mutex>
 
 #include "culling/baselines/hard_cases.h"
 #include "culling/baselines/naive.h"
@@ -175,9 +175,11 @@ Part run_part(const Place& place, const Depths& depths, const ExtremesOptions& o
 
 Extremes run_extremes(const ExtremesOptions& options, const std::function<void(double)>& progress) {
   std::vector<Part> parts(kPlaces.size() * kDepths.size());
-  std::atomic<std::size_t> done{0};
+  std::mutex telling;
+  std::size_t done = 0;
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
     parts[i] = run_part(kPlaces[i / kDepths.size()], kDepths[i % kDepths.size()], options, hash_bits(options.seed, i));
+    const std::scoped_lock one_at_a_time(telling);
     progress(static_cast<double>(++done) / static_cast<double>(parts.size()));
   });
   Extremes all{options, {}, {}};

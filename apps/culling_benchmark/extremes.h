@@ -45,11 +45,15 @@ struct Extremes {
   std::vector<FarRow> far;
 };
 
-/// On all cores; the same answer on any number of them. `progress`: the fraction done, from any thread.
+/// On all cores; the same answer on any number of them. `progress`: the fraction done, from any thread but one at a
+/// time; what it throws ends the run.
 Extremes run_extremes(const ExtremesOptions& options, const std::function<void(double)>& progress);
 
 /// Throws std::runtime_error when a file cannot be written.
 void write_extremes(const std::filesystem::path& folder, const Extremes& extremes);
+
+/// Nothing, or the line that says how many objects the tree missed.
+std::vector<std::string> extremes_faults(const Extremes& extremes);
 
 /// A section of report.md.
 std::string extremes_md(const Extremes& extremes);

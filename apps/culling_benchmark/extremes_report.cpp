@@ -16,6 +16,10 @@ ExtremesFilter of_sort(const std::string& objects) {
 
 std::string missed(const ExtremesSum& s) { return digits3(s.missed_percent()); }
 
+ExtremesSum sum_of_bqr(const Extremes& e) {
+  return sum(e, [](const ExtremesRow& r) { return r.way == "bqr"; });
+}
+
 std::string intro(const ExtremesOptions& o) {
   return "## Extremes\n" + std::to_string(o.cameras) +
          " cameras of random direction, 16:9, at every place, with every pair of depths and every field of view; " +
@@ -141,8 +145,14 @@ std::string compared_md(const Extremes& e) {
 
 }  // namespace
 
+std::vector<std::string> extremes_faults(const Extremes& e) {
+  const ExtremesSum ours = sum_of_bqr(e);
+  if (ours.missed == 0) return {};
+  return {"extremes: bqr missed " + grouped(ours.missed) + " objects"};
+}
+
 std::string extremes_md(const Extremes& e) {
-  const ExtremesSum ours = sum(e, [](const ExtremesRow& r) { return r.way == "bqr"; });
+  const ExtremesSum ours = sum_of_bqr(e);
   return intro(e.options) + ways_md() + "bqr missed " + grouped(ours.missed) + " of " + grouped(ours.seen) +
          " objects in view.\n\n![what is missed](extremes.svg)\n\n" + missed_md(e) + kept_md(e) +
          "### The far plane that each way culls with\nToo near / too far, metres, the worst of " +

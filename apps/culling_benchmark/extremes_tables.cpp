@@ -104,7 +104,7 @@ void write_extremes(const std::filesystem::path& folder, const Extremes& extreme
 }
 
 std::string extremes_columns_md() {
-  return "## extremes.csv\n" + explain<ExtremesRow>(kRowColumns) + "\n## extremes_far.csv\n" +
+  return "\n## extremes.csv\n" + explain<ExtremesRow>(kRowColumns) + "\n## extremes_far.csv\n" +
          explain<FarRow>(kFarColumns);
 }
 

@@ -50,6 +50,8 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
   app.add_flag("--growth", options.growth, "the cases of growing cities, from 1 000 to 10 000 000 objects");
   app.add_flag("--trade", options.trade, "the cases of speed for accuracy: volumes and precisions");
   app.add_flag("--paper", options.paper, "the experiments of Pina 2009, drawn with OpenGL");
+  app.add_flag("--extremes", options.extremes,
+               "what is missed and falsely kept far from the origin, by whom; half a minute");
   app.add_option("--frames", options.frames,
                  "frames of the flight; 300, fewer for a quick million (100) and for growth (60)")
       ->check(CLI::Range(1, 100000));

@@ -11,7 +11,7 @@ bool is_million(const std::string& name) { return name.starts_with("1M"); }
 
 /// What to measure is left to the program.
 bool says_nothing(const Options& options) {
-  return options.cases.empty() && !options.growth && !options.trade && !options.paper;
+  return options.cases.empty() && !options.growth && !options.trade && !options.paper && !options.extremes;
 }
 
 }  // namespace
@@ -37,6 +37,8 @@ std::vector<std::string> cases_of(const Options& options) {
   if (options.trade || (unsaid && !options.quick)) add(names_of(Family::trade));
   return all;
 }
+
+bool with_extremes(const Options& options) { return options.extremes || (says_nothing(options) && !options.quick); }
 
 bool with_paper(const Options& options) { return options.paper || (says_nothing(options) && !options.quick); }
 

@@ -81,6 +81,16 @@ TEST_CASE("options: help, version and the list need no folder") {
     CHECK(list_text().find("  " + std::string(peer.slug) + " ") != std::string::npos);
 }
 
+TEST_CASE("options: the extremes are part of a full run, and may be all of one") {
+  CHECK(with_extremes(*parse({"--out", "x"}).options));
+  CHECK(!with_extremes(*parse({"--out", "x", "--quick"}).options));
+  CHECK(!with_extremes(*parse({"--out", "x", "--paper"}).options));
+  const Parsed alone = parse({"--out", "x", "--extremes"});
+  CHECK(with_extremes(*alone.options));
+  CHECK(!with_paper(*alone.options));
+  CHECK(cases_of(*alone.options).empty());
+}
+
 TEST_CASE("options: the paper's experiments are part of a full run, and may be all of one") {
   CHECK(with_paper(*parse({"--out", "x"}).options));
   CHECK(!with_paper(*parse({"--out", "x", "--quick"}).options));
