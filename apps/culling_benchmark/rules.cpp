@@ -50,8 +50,8 @@ int frames_of(const Options& options, const std::string& case_name) {
 
 double share_of(const std::string& case_name) {
   const CaseInfo info = case_info(case_name);
-  if (info.cold) return 3;
-  if (is_million(case_name)) return 5;
+  if (info.cold) return 4;
+  if (is_million(case_name)) return 8;
   return info.family == Family::file || case_name.starts_with("100k") ? 2 : 1;
 }
 
