@@ -1,5 +1,5 @@
 // manzana-culling-benchmark: what the BqR-Tree and its rivals take and find, in cities that are generated or read.
-// SHOWS: peers(), SureExact, interleaved timing. READ FIRST: measure.cpp, then timing.cpp.
+// SHOWS: peers(), exactly_overlaps, interleaved timing. READ FIRST: measure.cpp, then timing.cpp.
 #include "apps/culling_benchmark/benchmark.h"
 
 int main(int argc, char** argv) {
