@@ -1,211 +1,233 @@
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 
 #include "culling/bqr_tree.h"
+#include "culling/lattice.h"
+#include "culling/pack.h"
+#include "culling/quadtree.h"
 
 namespace manzana::culling {
 namespace {
 
-constexpr std::uint32_t kDeepest = 31;  // 100 km / 2^31 = 47 um; the key needs 63 bits
-constexpr double kFarthest = 1e37;      // metres; sums of a few such numbers are still finite in float
-constexpr std::uint64_t kSharedQuadrant = std::uint64_t{1} << 63;
+constexpr double kFarthest = 1e37;  // metres; what is drawn from it must still be finite in float
+constexpr std::uint32_t kNoQuad = ~0U;
 
-/// Half-open square of the plane, and the blocks [first, last) of the order whose centres it holds.
-struct Quadrant {
-  Vec2d low{0, 0}, high{0, 0};
-  std::uint32_t first = 0, last = 0, depth = 0;
-  std::uint64_t key = 1;
-};
-
-Vec2d middle(const Quadrant& q) { return {std::midpoint(q.low.x, q.high.x), std::midpoint(q.low.y, q.high.y)}; }
-
-/// 0 to 3, bits (y, x); a centre on the border belongs to the upper side.
-unsigned quadrant_of(const Vec2d& center, const Vec2d& mid) {
-  return (center.y >= mid.y ? 2U : 0U) + (center.x >= mid.x ? 1U : 0U);
-}
-
-Quadrant child_of(const Quadrant& q, const Vec2d& mid, unsigned which) {
-  Quadrant child = q;
-  ((which & 1U) != 0 ? child.low : child.high).x = mid.x;
-  ((which & 2U) != 0 ? child.low : child.high).y = mid.y;
-  child.depth = q.depth + 1;
-  child.key = q.key << 2 | which;
-  return child;
-}
-
-std::array<double, 10> extent(const BlockVolume& b) {
-  const auto& [low, high] = b.box;
-  const Vec3d& c = b.sphere.center;
-  return {low.x, low.y, low.z, high.x, high.y, high.z, c.x, c.y, c.z, b.sphere.radius};
+bool near(const Vec3d& v) {
+  return std::abs(v.x) <= kFarthest && std::abs(v.y) <= kFarthest && std::abs(v.z) <= kFarthest;
 }
 
 bool good(const BlockVolume& b) {
-  const auto all = extent(b);
-  const bool near = std::all_of(all.begin(), all.end(), [](double v) { return std::abs(v) <= kFarthest; });
-  return near && std::isfinite(b.center.x) && std::isfinite(b.center.y) && !b.box.empty() && !b.sphere.empty();
+  return !b.box.empty() && near(b.box.min) && near(b.box.max) && !b.sphere.empty() && near(b.sphere.center) &&
+         b.sphere.radius <= kFarthest && std::isfinite(b.center.x) && std::isfinite(b.center.y);
 }
+
+void refuse_bad_blocks(std::span<const BlockVolume> blocks) {
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    if (!good(blocks[i]))
+      throw std::invalid_argument("block " + std::to_string(i) + ": centre or volume is empty, not finite or too far");
+}
+
+/// Blocks [first, last) that become one lane: those of a quadrant, or part of one that holds too many to be opened.
+struct Part {
+  std::uint32_t first = 0, last = 0, quad = kNoQuad;
+  std::uint32_t size() const { return last - first; }
+};
+using Parts = std::vector<Part>;
 
 /// Lives for one call of build_bqr_tree.
 class Builder {
  public:
-  explicit Builder(std::span<const BlockVolume> blocks) : blocks_(blocks) {}
+  Builder(std::span<const BlockVolume> blocks, const BlockObjects& objects) : in_(blocks), objects_(objects) {}
 
   BqrTree run() {
-    if (blocks_.empty()) return {};
-    refuse_bad_blocks();
-    tree_.order.resize(blocks_.size());
-    std::iota(tree_.order.begin(), tree_.order.end(), 0U);
-    choose_origin();
-    todo_.push_back(root());
-    while (!todo_.empty()) grow();
-    link();
-    bound();
+    refuse_bad_blocks(in_);
+    if (in_.empty()) return {};
+    quads_ = build_quadtree(in_);
+    tree_.order = quads_.order;
+    gather();
+    make_node({0, static_cast<std::uint32_t>(in_.size()), 0}, 0, 0);
+    tbb::parallel_for(std::size_t{0}, in_.size(), [&](std::size_t b) { pack(static_cast<std::uint32_t>(b)); });
+    unite_classes();
     return std::move(tree_);
   }
 
  private:
-  const BlockVolume& block(std::uint32_t leaf) const { return blocks_[tree_.order[leaf]]; }
-
-  void refuse_bad_blocks() const {
-    for (std::size_t i = 0; i < blocks_.size(); ++i)
-      if (!good(blocks_[i]))
-        throw std::invalid_argument("block " + std::to_string(i) +
-                                    ": centre or volume is empty, not finite or too far");
-  }
-
-  void choose_origin() {
+  /// Volumes relative to the origin and the runs of objects, in the tree's order.
+  void gather() {
     BoxD all;
-    for (const BlockVolume& b : blocks_) all = merge(all, b.box);
+    for (const BlockVolume& b : in_) all = merge(all, b.box);
     tree_.origin = glm::round(center(all));
-  }
-
-  /// The smallest square round all centres.
-  Quadrant root() const {
-    Quadrant q{blocks_[0].center, blocks_[0].center};
-    for (const BlockVolume& b : blocks_) {
-      q.low = glm::min(q.low, b.center);
-      q.high = glm::max(q.high, b.center);
+    const std::size_t n = in_.size();
+    std::uint32_t objects = 0, numbers = 0;
+    for (const std::uint32_t row : tree_.order) {
+      const BlockVolume& b = in_[row];
+      boxes_.push_back({b.box.min - tree_.origin, b.box.max - tree_.origin});
+      spheres_.push_back(relative(b.sphere, tree_.origin));
+      const std::uint32_t count = objects_.first.empty() ? 0 : objects_.first[row + 1] - objects_.first[row];
+      tree_.block_objects.push_back({objects, objects + count});
+      packed_.push_back(numbers);
+      objects += count;
+      numbers += packed_size(count);
     }
-    const Vec2d size = q.high - q.low;
-    q.high = q.low + glm::max(size.x, size.y);
-    q.last = static_cast<std::uint32_t>(blocks_.size());
-    return q;
+    tree_.place.resize(n);
+    tree_.object_order.resize(objects);
+    tree_.packets.assign(std::size_t{numbers} * 8 + kPacket, 0);
+    if (!objects_.classes.empty()) tree_.classes.assign(objects + kPacket, 0);
   }
 
-  /// Makes the node of the next quadrant, after going down while only one quadrant of it holds all of its blocks.
-  void grow() {
-    Quadrant q = todo_.back();
-    todo_.pop_back();
-    if (q.last - q.first > 1) {
-      while (splittable(q)) {
-        const Vec2d mid = middle(q);
-        const auto ends = partition(q, mid);
-        const auto full = std::find(ends.begin(), ends.end(), std::array{q.first, q.last});
-        if (full == ends.end()) return split(q, mid, ends);
-        q = child_of(q, mid, static_cast<unsigned>(full - ends.begin()));
+  Parts opened(const Part& part) const {
+    Parts parts;
+    if (part.quad == kNoQuad || (children(part.quad, parts), parts.size() > kLanes)) {
+      parts.clear();
+      for (std::uint32_t i = 0; i < kLanes; ++i) {
+        const auto end = [&](std::uint32_t k) { return part.first + part.size() * std::uint64_t{k} / kLanes; };
+        const Part p{static_cast<std::uint32_t>(end(i)), static_cast<std::uint32_t>(end(i + 1))};
+        if (p.size() > 0) parts.push_back(p);
       }
-      return share(q);
     }
-    add(q);
+    return parts;
+  }
+  void children(std::uint32_t quad, Parts& parts) const {
+    for (std::uint32_t i = quad + 1; i < quads_.nodes[quad].skip; i = quads_.nodes[i].skip)
+      parts.push_back({quads_.nodes[i].first, quads_.nodes[i].last, i});
+  }
+  static Parts single_blocks(const Part& part) {
+    Parts parts;
+    for (std::uint32_t b = part.first; b < part.last; ++b) parts.push_back({b, b + 1});
+    return parts;
+  }
+  static void replace(Parts& lanes, std::size_t i, const Parts& by) {
+    const auto at = lanes.erase(lanes.begin() + static_cast<std::ptrdiff_t>(i));
+    lanes.insert(at, by.begin(), by.end());
   }
 
-  bool splittable(const Quadrant& q) const {
-    const Vec2d mid = middle(q);
-    const bool halves = q.low.x < mid.x && mid.x < q.high.x && q.low.y < mid.y && mid.y < q.high.y;
-    if (q.depth == kDeepest || !halves) return false;
-    const auto begin = tree_.order.begin();
-    return std::any_of(begin + q.first, begin + q.last,
-                       [&](std::uint32_t i) { return blocks_[i].center != block(q.first).center; });
-  }
-
-  using Ends = std::array<std::array<std::uint32_t, 2>, 4>;
-
-  /// Orders the blocks of q by quadrant; the runs of the four.
-  Ends partition(const Quadrant& q, const Vec2d& mid) {
-    const auto begin = tree_.order.begin();
-    Ends ends{};
-    std::uint32_t at = q.first;
-    for (unsigned which = 0; which < 4; ++which) {
-      const auto in = [&](std::uint32_t i) { return quadrant_of(blocks_[i].center, mid) == which; };
-      const auto end = std::partition(begin + at, begin + q.last, in);
-      ends[which] = {at, static_cast<std::uint32_t>(end - begin)};
-      at = ends[which][1];
+  /// The lanes of a node: the fullest are opened while there is room for their children.
+  Parts choose(const Part& part) const {
+    if (part.size() <= kLanes) return single_blocks(part);
+    Parts lanes = opened(part);
+    const auto fuller = [](const Part& a, const Part& b) { return a.size() < b.size(); };
+    for (;;) {
+      const auto most = std::max_element(lanes.begin(), lanes.end(), fuller);
+      if (most->size() <= kLanes) break;
+      const Parts by = opened(*most);
+      if (lanes.size() - 1 + by.size() > kLanes) break;
+      replace(lanes, static_cast<std::size_t>(most - lanes.begin()), by);
     }
-    return ends;
+    while (open_few(lanes)) {
+    }
+    return lanes;
+  }
+  /// The lane with the fewest blocks, beside the others without a node of its own, if there is room.
+  static bool open_few(Parts& lanes) {
+    std::size_t best = lanes.size();
+    for (std::size_t i = 0; i < lanes.size(); ++i)
+      if (lanes[i].size() > 1 && (best == lanes.size() || lanes[i].size() < lanes[best].size())) best = i;
+    if (best == lanes.size() || lanes.size() - 1 + lanes[best].size() > kLanes) return false;
+    replace(lanes, best, single_blocks(lanes[best]));
+    return true;
   }
 
-  void split(const Quadrant& q, const Vec2d& mid, const Ends& ends) {
-    add(q);
-    for (unsigned which = 4; which-- > 0;) {  // the first must come off the stack first
-      Quadrant child = child_of(q, mid, which);
-      child.first = ends[which][0];
-      child.last = ends[which][1];
-      if (child.first < child.last) todo_.push_back(child);
+  SphereD ball_of(const Part& part) const {
+    const auto below = std::span(spheres_).subspan(part.first, part.size());
+    return part.size() == 1 ? below.front() : enclosing_sphere(below);
+  }
+
+  std::uint32_t make_node(const Part& part, std::uint32_t parent, std::uint32_t depth) {
+    const Parts lanes = choose(part);
+    const auto at = static_cast<std::uint32_t>(tree_.nodes.size());
+    tree_.nodes.emplace_back();
+    std::vector<SphereD> balls;
+    for (const Part& lane : lanes) balls.push_back(ball_of(lane));
+    const Lattice lattice = lattice_of(part, balls);
+    BqrNode node = empty_node(lattice);
+    node.parent = parent;
+    node.depth = depth;
+    for (std::uint32_t i = 0; i < lanes.size(); ++i) {
+      set_volumes(node, i, box_of(lanes[i]), balls[i]);
+      set_runs(node, i, lanes[i]);
+      if (lanes[i].size() == 1) set_block(node, at, i, lanes[i].first);
+    }
+    node.shift = finest_shift(node);
+    tree_.nodes[at] = node;
+    for (std::uint32_t i = 0; i < lanes.size(); ++i)
+      if (lanes[i].size() > 1) {
+        const std::uint32_t child = make_node(lanes[i], at, depth + 1);
+        tree_.nodes[at].child[i] = child;
+      }
+    return at;
+  }
+
+  BoxD box_of(const Part& part) const {
+    BoxD all;
+    for (std::uint32_t b = part.first; b < part.last; ++b) all = merge(all, boxes_[b]);
+    return all;
+  }
+
+  Lattice lattice_of(const Part& part, const std::vector<SphereD>& balls) {
+    BoxD all = box_of(part);
+    for (const SphereD& ball : balls) all = merge(all, ball.center);
+    const Lattice lattice = make_lattice(all);
+    tree_.reach = std::max({tree_.reach, glm::length(lattice.corner), glm::length(lattice.far_corner())});
+    return lattice;
+  }
+
+  void set_runs(BqrNode& node, std::uint32_t i, const Part& part) const {
+    node.lanes |= static_cast<std::uint16_t>(1U << i);
+    node.whole |= static_cast<std::uint16_t>(1U << i);
+    node.first[i] = tree_.block_objects[part.first].first;
+    node.last[i] = tree_.block_objects[part.last - 1].last;
+    node.first_block[i] = part.first;
+    node.last_block[i] = part.last;
+  }
+
+  void set_block(BqrNode& node, std::uint32_t at, std::uint32_t i, std::uint32_t block) {
+    node.blocks |= static_cast<std::uint16_t>(1U << i);
+    node.child[i] = packed_[block];
+    tree_.place[block] = at * kLanes + i;
+  }
+
+  void pack(std::uint32_t block) {
+    const std::uint32_t row = tree_.order[block],
+                        count = tree_.block_objects[block].last - tree_.block_objects[block].first;
+    if (count > 0) pack_objects(tree_, block, objects_, objects_.first[row], in_[row]);
+  }
+
+  /// Children follow their parents, so one way back over the nodes.
+  void unite_classes() {
+    for (std::size_t at = tree_.nodes.size(); at-- > 0;) {
+      BqrNode& node = tree_.nodes[at];
+      for (std::uint32_t i = 0; i < kLanes; ++i) {
+        if ((node.lanes >> i & 1) == 0) continue;
+        const std::uint32_t block = node.first_block[i];
+        node.classes[i] = (node.blocks >> i & 1) != 0 ? block_classes(tree_, block, in_[tree_.order[block]].classes)
+                                                      : all_classes(tree_.nodes[node.child[i]]);
+      }
     }
   }
 
-  /// A quadrant that cannot be split: its blocks become its leaves, in an order of their own.
-  void share(const Quadrant& q) {
-    const auto begin = tree_.order.begin();
-    std::sort(begin + q.first, begin + q.last, [&](std::uint32_t a, std::uint32_t b) { return before(a, b); });
-    add(q);
-    for (std::uint32_t leaf = q.first; leaf < q.last; ++leaf) {
-      Quadrant one = q;
-      one.first = leaf;
-      one.last = leaf + 1;
-      one.key = kSharedQuadrant + leaf;
-      add(one);
-    }
-  }
-
-  bool before(std::uint32_t a, std::uint32_t b) const {
-    const auto key = [&](std::uint32_t i) {
-      return std::tuple(blocks_[i].center.x, blocks_[i].center.y, extent(blocks_[i]));
-    };
-    return key(a) < key(b);
-  }
-
-  void add(const Quadrant& q) { tree_.nodes.push_back({Sphere{}, q.first, q.last, 0, q.depth, q.key}); }
-
-  /// Depth first: what follows a node's last descendant is the first node whose leaves begin where its own end.
-  void link() {
-    auto& nodes = tree_.nodes;
-    const auto end = static_cast<std::uint32_t>(nodes.size());
-    for (std::uint32_t i = end; i-- > 0;) {
-      std::uint32_t next = i + 1;
-      while (next < end && nodes[next].first < nodes[i].last) next = nodes[next].skip;
-      nodes[i].skip = next;
-    }
-  }
-
-  /// Bottom-up in effect: the sphere of a node is made over the leaves below it, not over its children's spheres, which
-  /// would add their slack at every level [numerics 3].
-  void bound() {
-    std::vector<SphereD> leaves;
-    leaves.reserve(blocks_.size());
-    tree_.leaf_boxes.reserve(blocks_.size());
-    for (const std::uint32_t i : tree_.order) {
-      leaves.push_back(blocks_[i].sphere);
-      tree_.leaf_boxes.push_back(narrow(blocks_[i].box, tree_.origin));
-    }
-    for (BqrNode& node : tree_.nodes) {
-      const auto below = std::span(leaves).subspan(node.first, node.last - node.first);
-      node.bounds = narrow(node.leaf() ? below.front() : enclosing_sphere(below), tree_.origin);
-    }
-  }
-
-  std::span<const BlockVolume> blocks_;
+  std::span<const BlockVolume> in_;
+  const BlockObjects& objects_;
+  Quadtree quads_;
   BqrTree tree_;
-  std::vector<Quadrant> todo_;
+  std::vector<BoxD> boxes_;
+  std::vector<SphereD> spheres_;
+  std::vector<std::uint32_t> packed_;  // where the packets of a block begin
 };
 
 }  // namespace
 
-BqrTree build_bqr_tree(std::span<const BlockVolume> blocks) { return Builder(blocks).run(); }
+BqrTree build_bqr_tree(std::span<const BlockVolume> blocks, const BlockObjects& objects) {
+  return Builder(blocks, objects).run();
+}
+
+std::size_t query_bytes(const BqrTree& tree) {
+  return tree.nodes.size() * sizeof(BqrNode) + (tree.packets.size() + tree.classes.size()) * sizeof(std::uint16_t);
+}
 
 }  // namespace manzana::culling

@@ -1,21 +1,28 @@
 #pragma once
-/// BqR-Tree: an R-tree shaped by an adaptive quadtree over the centres of city blocks.
+/// BqR-Tree: an R-tree shaped by an adaptive quadtree over the centres of city blocks, with the blocks' objects in it.
 /// [Pina, Cerezo, Seron: Bq-Rtree (2009), section 3; called Pina 2009]
-///   BqrTree tree = build_bqr_tree(blocks);             // once; store the blocks by tree.order
-///   cull(tree, frustum, [&](LeafRun run) { ... });     // each frame
-/// A block goes whole to the quadrant of its centre; empty quadrants make no node; chains of single children are
-/// collapsed. Inner nodes are bounded by spheres, made bottom-up over the leaves below them; a leaf is the intersection
-/// of a sphere and a box. One block a leaf, so leaf i is the i-th block in the tree's order; blocks with equal centres
-/// (or beyond the last depth) become siblings under one node.
-/// nodes[0] is the root, a node's descendants follow it, the leaves of a node are one run.
+///   BqrTree tree = build_bqr_tree(blocks, {first, boxes});     // once; store the objects by tree.object_order
+///   Answer answer(tree);
+///   cull(tree, make_planes(tree, make_frustum(view)), answer); // culling/cull.h, each frame: runs of objects
+/// A block goes whole to the quadrant of its centre (culling/quadtree.h). The paper bounds quadrants by spheres and
+/// blocks by the intersection of a sphere and a box; here both are bounded by such intersections, made over the blocks
+/// below: cities are flat, and a sphere round a square kilometre crosses planes far above its roofs
+/// (docs/measurements.md). What also differs is how it lies in memory. A node tests 16 children at once: quadrants are
+/// opened, the fullest first, until 16 stand side by side. Volumes are 16-bit distances on a lattice
+/// (culling/lattice.h), rounded outward. The objects below a lane are one run, so a lane that is inside emits its run
+/// untested. A block's objects are packets of 32 boxes in columns, on a finer lattice of the block.
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "culling/frustum_lanes.h"
-#include "culling/overlap.h"
+#include "culling/volumes.h"
 
 namespace manzana::culling {
+
+/// Sets of classes, a bit each: buildings, trees, whatever the host tells apart. Never 0.
+using ClassMask = std::uint16_t;
+inline constexpr ClassMask kAllClasses = 0xFFFF;
 
 /// What the tree must know of a block: metres, in L. `box` and `sphere` enclose all of its content (including its
 /// half-streets and the cars on them); `center` is the geometric centre of its ground, which decides the quadrant.
@@ -23,64 +30,75 @@ struct BlockVolume {
   Vec2d center{0, 0};
   BoxD box;
   SphereD sphere;
+  ClassMask classes = 0;  ///< of what it holds besides its objects: cars
 };
 
-/// Half-open run of leaves, and whether all of it is certainly inside. Bit k of `planes`: it may reach beyond plane k.
-struct LeafRun {
+/// The objects of all blocks: those of block b are rows [first[b], first[b + 1]). Boxes in L, metres, within the
+/// block's. Without `classes` every object is of all classes.
+struct BlockObjects {
+  std::span<const std::uint32_t> first;
+  std::span<const BoxD> boxes;
+  std::span<const ClassMask> classes;
+};
+
+/// Half-open run of objects.
+struct ObjectRun {
   std::uint32_t first = 0, last = 0;
-  Overlap where = Overlap::crosses;
-  std::uint8_t planes = 0xFF;
+  bool operator==(const ObjectRun&) const = default;
 };
 
-struct BqrNode {
-  Sphere bounds;            ///< relative to the tree's origin; encloses all content below
-  std::uint32_t first = 0;  ///< leaves [first, last)
-  std::uint32_t last = 0;
-  std::uint32_t skip = 0;   ///< index of the first node after this one's descendants
-  std::uint32_t depth = 0;  ///< of its quadrant; the root's is 0
-  /// Unique: a 1, then two bits (y, x) for each quadrant on the way from the root. Leaves that share their last
-  /// quadrant have no way of their own: their key is 2^63 + the leaf's index (no way reaches that bit: 31 quadrants at
-  /// most).
-  std::uint64_t key = 0;
-  bool leaf() const { return last - first == 1; }
+inline constexpr std::uint32_t kLanes = 16;   ///< children of a node
+inline constexpr std::uint32_t kPacket = 32;  ///< objects of a packet
+
+using Lanes16 = std::array<std::uint16_t, kLanes>;
+using Lanes32 = std::array<std::uint32_t, kLanes>;
+
+/// Up to 16 children side by side, on the node's lattice. A lane is a node, a block, or nothing. What a query reads
+/// first stands first: it comes to nodes cold.
+struct alignas(64) BqrNode {
+  Vec3 corner{0, 0, 0};             ///< of the lattice, relative to the tree's origin; exact
+  float step = 1;                   ///< of the lattice, metres; a power of two
+  std::uint16_t lanes = 0;          ///< bit i: lane i holds something
+  std::uint16_t blocks = 0;         ///< bit i: lane i is a block
+  std::uint16_t whole = 0;          ///< bit i: all objects below lane i are the run [first[i], last[i]), without a hole
+  std::uint8_t shift = 0;           ///< the lattices of its blocks are 2^shift times finer
+  bool ordered = true;              ///< last[i] = first[j] for any two neighbours i, j that hold something
+  std::uint32_t parent = 0;         ///< the root is its own
+  std::uint32_t depth = 0;          ///< nodes above
+  Lanes16 classes{};                ///< united over all objects below
+  std::array<Lanes16, 4> sphere{};  ///< centre x, y, z; radius in units of the test
+  Lanes32 first{}, last{};          ///< objects
+  Lanes32 child{};                  ///< a node; or where a block's packets begin, in units of 8 numbers
+  std::array<Lanes16, 6> box{};     ///< reaches
+  Lanes32 first_block{}, last_block{};  ///< blocks
 };
 
 struct BqrTree {
-  Vec3d origin{0, 0, 0};             ///< in L; all float volumes are relative to it
-  std::vector<BqrNode> nodes;        ///< depth first
-  std::vector<Box> leaf_boxes;       ///< one a leaf
-  std::vector<std::uint32_t> order;  ///< order[leaf] = index of the block in the builder's input
+  Vec3d origin{0, 0, 0};  ///< in L, whole metres; all volumes are relative to it
+  double reach = 0;       ///< no lattice reaches farther from the origin, metres
+  std::uint32_t root = 0;
+  std::vector<BqrNode> nodes;               ///< as built: depth first, the root first
+  std::vector<std::uint16_t> packets;       ///< reaches of objects, six columns a packet, and 32 numbers to spare
+  std::vector<ClassMask> classes;           ///< a row an object, and 32 to spare; empty: all are of all classes
+  std::vector<ObjectRun> block_objects;     ///< a row a block, in the tree's order
+  std::vector<std::uint32_t> place;         ///< of a block: node * 16 + lane
+  std::vector<std::uint32_t> order;         ///< order[block] = index in the builder's input
+  std::vector<std::uint32_t> object_order;  ///< object_order[object] = row of the builder's input
+  std::uint32_t blocks() const { return static_cast<std::uint32_t>(block_objects.size()); }
+  std::uint32_t objects() const { return static_cast<std::uint32_t>(object_order.size()); }
 };
 
-/// O(n log n) for spread centres, O(31 n) at worst. No block: no node; one: the root is its leaf. The tree does not
-/// depend on the order of the input (blocks that share their last quadrant are ordered by their coordinates). `origin`
-/// is the centre of all content in whole metres. A quadrant is not split when all centres in it are equal, at depth 31,
-/// or where doubles end. Throws std::invalid_argument, with the index of the block, for a centre or volume that is
-/// empty or not finite, or a volume that reaches beyond 1e37 m (the end of float).
-BqrTree build_bqr_tree(std::span<const BlockVolume> blocks);
+/// O(n log n); on both the blocks and the objects of one block parallel. No block: no node. Does not depend on the
+/// order of the blocks. Within a block objects follow a Z-curve. Throws std::invalid_argument, with the index, for a
+/// block whose centre or volume is empty, not finite or beyond 1e37 m, and for an object whose box is empty, not finite
+/// or not within its block's box, or whose class mask is 0.
+BqrTree build_bqr_tree(std::span<const BlockVolume> blocks, const BlockObjects& objects = {});
 
-struct CullStats {
-  std::uint32_t nodes_tested = 0, leaves_tested = 0;
-};
+/// Bytes of all that a query may read.
+std::size_t query_bytes(const BqrTree& tree);
 
-/// Calls emit(LeafRun) for each maximal part of the tree that is not outside; runs come in rising order and are
-/// disjoint. A node that is inside emits its whole run untested. No allocation.
-template <class Emit>
-CullStats cull(const BqrTree& tree, const Frustum& frustum, Emit&& emit) {
-  CullStats stats;
-  const FrustumLanes planes(frustum);
-  const auto end = static_cast<std::uint32_t>(tree.nodes.size());
-  for (std::uint32_t i = 0; i < end;) {
-    const BqrNode& node = tree.nodes[i];
-    const Sides at = node.leaf() ? sides(planes, node.bounds, tree.leaf_boxes[node.first]) : sides(planes, node.bounds);
-    const Overlap where = to_overlap(at);
-    ++(node.leaf() ? stats.leaves_tested : stats.nodes_tested);
-    const bool descend = where == Overlap::crosses && !node.leaf();
-    if (!descend && where != Overlap::outside)
-      emit(LeafRun{node.first, node.last, where, static_cast<std::uint8_t>(~at.inside)});
-    i = descend ? i + 1 : node.skip;
-  }
-  return stats;
-}
+/// Volumes as they are tested: outward from those of the input. In metres, relative to the tree's origin.
+SphereD lane_sphere(const BqrNode& node, std::uint32_t lane);
+BoxD lane_box(const BqrNode& node, std::uint32_t lane);
 
 }  // namespace manzana::culling

@@ -4,7 +4,7 @@
 ///   margin m = 8u (|nx cx| + |ny cy| + |nz cz| + |d| + r) + slack with u = 2^-24; outside: s < -(r + m);
 ///   inside: s > r + m  [numerics 2.1, 2.2]
 /// Shapes and planes share one origin. A NaN in a shape gives `crosses`, a plane with a NaN never culls, an empty shape
-/// is outside. A query that asks about many shapes uses culling/frustum_lanes.h: the same answers, four planes at once.
+/// is outside. The tree asks sixteen shapes at once, in another way (culling/lattice.h).
 #include <cstddef>
 #include <cstdint>
 

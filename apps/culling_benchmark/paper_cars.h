@@ -9,7 +9,7 @@
 
 #include "apps/culling_benchmark/paper_streets.h"
 #include "culling/frustum.h"
-#include "culling/object_table.h"
+#include "culling/bqr_tree.h"
 
 namespace manzana::paper {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "culling/baselines/city.h"
+#include "culling/bqr_tree.h"
 #include "culling/frustum.h"
-#include "culling/object_table.h"
 
 namespace manzana::baselines {
 

@@ -1,5 +1,5 @@
-#include "culling/baselines/block_rows.h"
 #include "culling/baselines/bqr.h"
+#include "culling/cull.h"
 
 namespace manzana::baselines {
 namespace {
@@ -8,35 +8,19 @@ using namespace culling;
 
 class Bqr : public Peer {
  public:
-  explicit Bqr(const City& city) : tree_(build_bqr_tree(city.blocks)) {
-    BlockRows rows = rows_of(city, tree_.order);
-    order_ = std::move(rows.rows);
-    table_ = build_object_table(tree_.origin, boxes_of(city, order_), std::move(rows.first));
-    runs_.reserve(tree_.order.size());
-  }
+  explicit Bqr(const City& city) : tree_(build_bqr_tree(city.blocks, {city.first, city.boxes, {}})), answer_(tree_) {}
 
   void query(const FrustumD& frustum, Answer& answer) override {
-    const Frustum near = narrow(frustum, tree_.origin);
-    runs_.clear();
-    cull(tree_, near, [&](const LeafRun& run) {
-      if (run.where == Overlap::crosses) prefetch(table_, run);
-      runs_.push_back(run);
-    });
-    cull_objects(table_, runs_, near, answer.runs);
+    cull(tree_, make_planes(tree_, frustum), answer_);
+    answer.runs.assign(answer_.objects().begin(), answer_.objects().end());
   }
 
-  std::span<const std::uint32_t> order() const override { return order_; }
-
-  std::size_t bytes() const override {
-    return tree_.nodes.size() * sizeof(BqrNode) + tree_.leaf_boxes.size() * sizeof(Box) +
-           table_.first.size() * sizeof(std::uint32_t) + table_.packets.size() * sizeof(ObjectPacket);
-  }
+  std::span<const std::uint32_t> order() const override { return tree_.object_order; }
+  std::size_t bytes() const override { return query_bytes(tree_); }
 
  private:
   BqrTree tree_;
-  std::vector<std::uint32_t> order_;
-  ObjectTable table_;
-  std::vector<LeafRun> runs_;
+  culling::Answer answer_;
 };
 
 }  // namespace

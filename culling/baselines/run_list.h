@@ -2,7 +2,7 @@
 /// Lists of runs, built from the front.
 #include <bit>
 
-#include "culling/object_table.h"
+#include "culling/bqr_tree.h"
 
 namespace manzana::baselines {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "culling/baselines/box_planes.h"
-#include "culling/object_table.h"
+#include "culling/bqr_tree.h"
 
 namespace manzana::baselines {
 

@@ -1,0 +1,270 @@
+// Nodes are visited level by level, in batches: first all of a batch are tested, then their lanes are handed on; so no
+// test waits for a mispredicted branch, and what comes next is already on its way from memory.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "culling/cull.cpp"
+#include <hwy/foreach_target.h>
+// after foreach_target.h
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+
+#include <hwy/cache_control.h>
+
+#include "culling/answer_access.h"
+#include "culling/cull.h"
+#include "culling/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace manzana::culling::HWY_NAMESPACE {
+
+/// A block that crosses.
+struct Doubt {
+  std::uint32_t packets, first, count, planes;
+  const std::uint16_t* need;
+  std::uint32_t keep, view;
+};
+
+inline std::uint32_t low_bits(std::uint32_t n) { return static_cast<std::uint32_t>((std::uint64_t{1} << n) - 1); }
+
+/// One query about kViews views.
+template <std::size_t kViews>
+class Traversal {
+ public:
+  Traversal(const BqrTree& tree, std::span<const Planes> views, std::span<Answer> answers, const CullOptions& options)
+      : tree_(tree),
+        views_(views),
+        queue_(Answer::Access::queue(answers[0])),
+        options_(options),
+        filtered_(options.classes != kAllClasses) {
+    for (std::size_t v = 0; v < answers.size(); ++v) {
+      objects_[v] = Answer::Access::objects(answers[v]).begin();
+      blocks_[v] = Answer::Access::blocks(answers[v]).begin();
+    }
+  }
+
+  CullStats run() {
+    push_root();
+    for (std::uint32_t head = 0; head < end_;) {
+      const std::uint32_t n = std::min(kBatch, end_ - head);
+      for (std::uint32_t i = 0; i < n; ++i) test(queue_[head + i], i);
+      for (std::uint32_t i = 0; i < n; ++i) hand_on(queue_[head + i], i);
+      settle();
+      head += n;
+    }
+    stats_.nodes = end_;
+    return stats_;
+  }
+
+  void finish(std::span<Answer> answers) const {
+    for (std::size_t v = 0; v < answers.size(); ++v) {
+      Answer::Access::objects(answers[v]).end_at(objects_[v]);
+      Answer::Access::blocks(answers[v]).end_at(blocks_[v]);
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t kBatch = kViews == 1 ? 16 : 4;
+  static constexpr bool kOne = kViews == 1;
+
+  template <class F>
+  HWY_INLINE void each_view(std::uint32_t views, F f) const {
+    if constexpr (kOne)
+      f(std::size_t{0});
+    else
+      for (; views != 0; views &= views - 1) f(static_cast<std::size_t>(std::countr_zero(views)));
+  }
+  static unsigned planes_of(const Answer::Visit& visit, std::size_t view) {
+    return static_cast<unsigned>(visit.planes >> (8 * view)) & 0xFFU;
+  }
+
+  void push_root() {
+    Answer::Visit& root = queue_[end_++];
+    root = {tree_.root, low_bits(static_cast<std::uint32_t>(views_.size())), 0};
+    for (std::size_t v = 0; v < views_.size(); ++v) root.planes |= std::uint64_t{views_[v].used} << (8 * v);
+  }
+
+  HWY_INLINE void test(const Answer::Visit& visit, std::uint32_t i) {
+    const BqrNode& n = tree_.nodes[visit.node];
+    each_view(visit.views, [&](std::size_t v) {
+      NodeResult& result = results_[i * kViews + v];
+      test_node(views_[v], planes_of(visit, v), n, result);
+      if (filtered_) filter(n, result);
+    });
+  }
+
+  /// Lanes with nothing wanted are gone; lanes with something else too cannot be taken whole.
+  void filter(const BqrNode& n, NodeResult& result) const {
+    result.alive &= lanes_of(n.classes.data(), options_.classes);
+    result.inside &= result.alive & ~lanes_of(n.classes.data(), static_cast<ClassMask>(~options_.classes));
+  }
+
+  HWY_INLINE void hand_on(const Answer::Visit& visit, std::uint32_t i) {
+    const BqrNode& n = tree_.nodes[visit.node];
+    std::uint32_t nodes = 0;
+    each_view(visit.views, [&](std::size_t v) {
+      const NodeResult& result = results_[i * kViews + v];
+      const std::uint32_t taken = result.inside & n.whole, rest = result.alive & ~taken;
+      take(n, taken, v);
+      doubt(n, result, rest & n.blocks, v);
+      nodes |= rest & ~n.blocks;
+    });
+    for (; nodes != 0; nodes &= nodes - 1) push(n, visit, i, static_cast<std::uint32_t>(std::countr_zero(nodes)));
+  }
+
+  HWY_INLINE void push(const BqrNode& n, const Answer::Visit& from, std::uint32_t i, std::uint32_t lane) {
+    Answer::Visit& to = queue_[end_++];
+    to = {n.child[lane], 0, 0};
+    each_view(from.views, [&](std::size_t v) {
+      const NodeResult& result = results_[i * kViews + v];
+      const std::uint32_t open = (result.alive & ~(result.inside & n.whole)) >> lane & 1;
+      to.views |= open << v;
+      to.planes |= std::uint64_t{result.planes[lane]} << (8 * v);
+    });
+    prefetch(&tree_.nodes[n.child[lane]], sizeof(BqrNode));
+  }
+
+  /// Neighbouring lanes that are inside are one run.
+  HWY_INLINE void take(const BqrNode& n, std::uint32_t lanes, std::size_t v) {
+    std::uint32_t starts = n.ordered ? lanes & ~(lanes << 1) : lanes;
+    std::uint32_t ends = n.ordered ? lanes & ~(lanes >> 1) : lanes;
+    for (; starts != 0; starts &= starts - 1, ends &= ends - 1) {
+      const auto a = static_cast<std::size_t>(std::countr_zero(starts)),
+                 b = static_cast<std::size_t>(std::countr_zero(ends));
+      *objects_[v] = {n.first[a], n.last[b]};
+      objects_[v] += n.first[a] != n.last[b] ? 1 : 0;
+      if (options_.blocks) *blocks_[v]++ = {n.first_block[a], n.last_block[b], 0};
+    }
+  }
+
+  HWY_INLINE void doubt(const BqrNode& n, const NodeResult& result, std::uint32_t lanes, std::size_t v) {
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
+      const std::uint32_t count = n.last[i] - n.first[i];
+      doubts_[doubted_++] = {
+          n.child[i], n.first[i], count, result.planes[i], &result.need[0][i], 0, static_cast<std::uint32_t>(v)};
+      prefetch(&tree_.packets[std::size_t{n.child[i]} * 8], 2 * 6 * kPacket);
+      if (options_.blocks) *blocks_[v]++ = {n.first_block[i], n.first_block[i] + 1, result.planes[i]};
+    }
+  }
+
+  HWY_INLINE void settle() {
+    for (std::uint32_t i = 0; i < doubted_; ++i) {
+      Doubt& b = doubts_[i];
+      if (b.count > kPacket) continue;
+      b.keep = ask(b, packets(b), (b.count + 7) / 8 * 8) & low_bits(b.count);
+      if (filtered_) b.keep &= wanted(b.first);
+    }
+    for (std::uint32_t i = 0; i < doubted_; ++i)
+      if (doubts_[i].count <= kPacket)
+        take_bits(doubts_[i].first, doubts_[i].keep, doubts_[i].view);
+      else
+        settle_large(doubts_[i]);
+    stats_.blocks += doubted_;
+    stats_.packets += doubted_;
+    doubted_ = 0;
+  }
+
+  /// More than one packet: first those that enclose packets.
+  HWY_NOINLINE void settle_large(const Doubt& b) {
+    constexpr std::uint32_t kNumbers = 6 * kPacket;
+    const std::uint32_t n = (b.count + kPacket - 1) / kPacket, enclosing = (n + kPacket - 1) / kPacket;
+    for (std::uint32_t e = 0; e < enclosing; ++e) {
+      std::uint32_t open = ask(b, packets(b) + e * kNumbers, kPacket) & low_bits(std::min(kPacket, n - e * kPacket));
+      for (; open != 0; open &= open - 1) {
+        const std::uint32_t p = e * kPacket + static_cast<std::uint32_t>(std::countr_zero(open));
+        const std::uint32_t first = b.first + p * kPacket;
+        std::uint32_t keep = ask(b, packets(b) + std::size_t{enclosing + p} * kNumbers, kPacket) &
+                             low_bits(std::min(kPacket, b.count - p * kPacket));
+        if (filtered_) keep &= wanted(first);
+        take_bits(first, keep, b.view);
+        ++stats_.packets;
+      }
+    }
+  }
+
+  const std::uint16_t* packets(const Doubt& b) const { return &tree_.packets[std::size_t{b.packets} * 8]; }
+
+  HWY_INLINE std::uint32_t ask(const Doubt& b, const std::uint16_t* packet, std::uint32_t length) const {
+    return kept(views_[b.view], b.planes, packet, length, b.need);
+  }
+
+  std::uint32_t wanted(std::uint32_t first) const {
+    const ClassMask* row = &tree_.classes[first];
+    return lanes_of(row, options_.classes) | lanes_of(row + kLanes, options_.classes) << kLanes;
+  }
+
+  HWY_INLINE void take_bits(std::uint32_t first, std::uint32_t keep, std::uint32_t v) {
+    std::uint32_t starts = keep & ~(keep << 1), ends = keep & ~(keep >> 1);
+    ObjectRun* to = objects_[v];
+    for (; starts != 0; starts &= starts - 1, ends &= ends - 1)
+      *to++ = {first + static_cast<std::uint32_t>(std::countr_zero(starts)),
+               first + static_cast<std::uint32_t>(std::countr_zero(ends)) + 1};
+    objects_[v] = to;
+  }
+
+  static HWY_INLINE void prefetch(const void* at, std::size_t bytes) {
+    for (std::size_t i = 0; i < bytes; i += 64) hwy::Prefetch(static_cast<const char*>(at) + i);
+  }
+
+  const BqrTree& tree_;
+  std::span<const Planes> views_;
+  Answer::Visit* queue_;
+  const CullOptions options_;
+  const bool filtered_;
+  std::array<ObjectRun*, kViews> objects_{};
+  std::array<LeafRun*, kViews> blocks_{};
+  std::uint32_t end_ = 0, doubted_ = 0;
+  CullStats stats_;
+  std::array<NodeResult, kBatch * kViews> results_;
+  std::array<Doubt, kBatch * kViews * kLanes> doubts_;
+};
+
+template <std::size_t kViews>
+CullStats traverse(const BqrTree& tree, std::span<const Planes> views, std::span<Answer> answers,
+                   const CullOptions& options) {
+  Traversal<kViews> traversal(tree, views, answers, options);
+  const CullStats stats = traversal.run();
+  traversal.finish(answers);
+  return stats;
+}
+
+CullStats cull_one(const BqrTree& tree, std::span<const Planes> views, std::span<Answer> answers,
+                   const CullOptions& options) {
+  return traverse<1>(tree, views, answers, options);
+}
+CullStats cull_many(const BqrTree& tree, std::span<const Planes> views, std::span<Answer> answers,
+                    const CullOptions& options) {
+  return traverse<kMaxViews>(tree, views, answers, options);
+}
+
+}  // namespace manzana::culling::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace manzana::culling {
+
+HWY_EXPORT(cull_one);
+HWY_EXPORT(cull_many);
+
+CullStats cull(const BqrTree& tree, const Planes& planes, Answer& answer, const CullOptions& options) {
+  return cull(tree, std::span(&planes, 1), std::span(&answer, 1), options);
+}
+
+CullStats cull(const BqrTree& tree, std::span<const Planes> views, std::span<Answer> answers,
+               const CullOptions& options) {
+  assert(!views.empty() && views.size() <= kMaxViews && views.size() == answers.size());
+  for (Answer& answer : answers) {
+    answer.reserve(tree);
+    Answer::Access::clear(answer);
+  }
+  if (tree.nodes.empty()) return {};
+  CullOptions asked = options;
+  if (tree.classes.empty() && asked.classes != 0) asked.classes = kAllClasses;
+  return views.size() == 1 ? HWY_DYNAMIC_DISPATCH(cull_one)(tree, views, answers, asked)
+                           : HWY_DYNAMIC_DISPATCH(cull_many)(tree, views, answers, asked);
+}
+
+}  // namespace manzana::culling
+#endif

@@ -1,0 +1,195 @@
+// The tests of culling/lattice.h on whole vectors; compiled once for each kind of processor (culling/cull.cpp).
+#if defined(MANZANA_CULLING_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef MANZANA_CULLING_LANES_INL_H_
+#undef MANZANA_CULLING_LANES_INL_H_
+#else
+#define MANZANA_CULLING_LANES_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <bit>
+#include <type_traits>
+
+#include "culling/lattice.h"
+#include "culling/planes.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace manzana::culling::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using NodeTag = hn::CappedTag<std::uint16_t, kLanes>;
+using PacketTag = hn::CappedTag<std::uint16_t, kPacket>;
+using PlanesTag = hn::CappedTag<double, kMaxPlanes>;
+
+/// What is known of a node's lanes. Not initialised: a query has many, and fills those that it uses.
+struct alignas(64) NodeResult {
+  std::array<Lanes16, kMaxPlanes> need;  ///< t_out of the lattice of a block that crosses plane k
+  Lanes16 planes;                        ///< bit k: lane i may cross plane k
+  std::uint32_t alive;                   ///< not outside
+  std::uint32_t inside;                  ///< alive, and certainly inside all planes
+};
+
+/// t_out and t_in of a node's lattice.
+struct alignas(64) Thresholds {
+  std::array<std::int32_t, kMaxPlanes> out, in;
+};
+
+template <class D>
+HWY_INLINE std::uint32_t bits_where(D d, hn::Mask<D> mask) {
+  constexpr std::size_t kBytes = (hn::MaxLanes(d) + 7) / 8;
+  using Bits =
+      std::conditional_t<kBytes == 1, std::uint8_t, std::conditional_t<kBytes == 2, std::uint16_t, std::uint32_t>>;
+  Bits bits = 0;
+  hn::StoreMaskBits(d, mask, reinterpret_cast<std::uint8_t*>(&bits));
+  return bits;
+}
+template <class D>
+HWY_INLINE std::uint32_t bits_zero(D d, hn::Vec<D> v) {
+  return bits_where(d, hn::Eq(v, hn::Zero(d)));
+}
+
+template <class D>
+HWY_INLINE hn::Vec<D> set16(D d, std::int32_t x) {
+  return hn::Set(d, static_cast<std::uint16_t>(x));
+}
+
+HWY_INLINE Thresholds thresholds_of(const Planes& p, const BqrNode& n) {
+  const PlanesTag d;
+  const hn::Rebind<std::int32_t, PlanesTag> di;
+  const double h = static_cast<double>(n.step);
+  const auto step = hn::Set(d, h), k = hn::Set(d, kTestScale / 65536 / h);
+  const auto x = hn::Set(d, static_cast<double>(n.corner.x)), y = hn::Set(d, static_cast<double>(n.corner.y)),
+             z = hn::Set(d, static_cast<double>(n.corner.z));
+  const auto low = hn::Zero(d), high = hn::Set(d, kLatticeEnd);
+  Thresholds t;
+  for (std::size_t i = 0; i < kMaxPlanes; i += hn::Lanes(d)) {
+    const auto turned = hn::MulSub(hn::Load(d, &p.turned[i]), step, hn::Load(d, &p.offset[i]));
+    const auto minus_d =
+        hn::NegMulAdd(hn::Load(d, &p.x[i]), x,
+                      hn::NegMulAdd(hn::Load(d, &p.y[i]), y, hn::NegMulAdd(hn::Load(d, &p.z[i]), z, turned)));
+    const auto m = hn::Load(d, &p.margin[i]);
+    const auto out = hn::MulAdd(hn::Sub(minus_d, m), k, hn::Set(d, -2.0));
+    const auto in = hn::MulAdd(hn::Add(minus_d, m), k, hn::Set(d, 4.0));  // cut to a whole number: ceil + 3
+    hn::Store(hn::DemoteTo(di, hn::Min(hn::Max(out, low), high)), di, &t.out[i]);
+    hn::Store(hn::DemoteTo(di, hn::Min(hn::Max(in, low), high)), di, &t.in[i]);
+  }
+  return t;
+}
+
+/// F of points with distances x, y, z.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V distance(D d, const Planes::Column& p, V x, V y, V z) {
+  return hn::Add(hn::Add(hn::MulHigh(hn::Set(d, p.a[0]), x), hn::MulHigh(hn::Set(d, p.a[1]), y)),
+                 hn::MulHigh(hn::Set(d, p.a[2]), z));
+}
+
+/// Gathers, plane by plane, which lanes are outside and which planes they may cross.
+template <class V>
+struct Verdict {
+  V gone, planes;  ///< gone != 0: outside
+};
+
+/// Plane k's bit where v is not zero.
+HWY_INLINE hn::Vec<NodeTag> plane_bit(hn::Vec<NodeTag> v, int k) {
+  const NodeTag d;
+  return hn::IfThenZeroElse(hn::Eq(v, hn::Zero(d)), set16(d, 1 << k));
+}
+
+template <class V = hn::Vec<NodeTag>>
+HWY_INLINE Verdict<V> test_balls(const Planes& planes, unsigned which, const Thresholds& t, const BqrNode& n,
+                                 std::size_t i) {
+  const NodeTag d;
+  Verdict<V> verdict{hn::Zero(d), hn::Zero(d)};
+  const V x = hn::Load(d, &n.sphere[0][i]), y = hn::Load(d, &n.sphere[1][i]), z = hn::Load(d, &n.sphere[2][i]),
+          r = hn::Load(d, &n.sphere[3][i]);
+  for (; which != 0; which &= which - 1) {
+    const int k = std::countr_zero(which);
+    const Planes::Column& p = planes.columns[static_cast<std::size_t>(k)];
+    const V out = set16(d, t.out[static_cast<std::size_t>(k)]), in = set16(d, t.in[static_cast<std::size_t>(k)]);
+    const V f = distance(d, p, hn::Xor(x, hn::Set(d, p.flip[0])), hn::Xor(y, hn::Set(d, p.flip[1])),
+                         hn::Xor(z, hn::Set(d, p.flip[2])));
+    verdict.gone = hn::Or(verdict.gone, hn::SaturatedSub(out, hn::SaturatedAdd(f, r)));
+    verdict.planes = hn::Or(verdict.planes, plane_bit(hn::SaturatedSub(hn::SaturatedAdd(in, r), f), k));
+  }
+  return verdict;
+}
+
+/// And leaves in `need` what the objects are to be asked where a lane is a block.
+template <class V = hn::Vec<NodeTag>>
+HWY_INLINE Verdict<V> test_boxes(const Planes& planes, unsigned which, const Thresholds& t, const BqrNode& n,
+                                 std::size_t i, std::array<Lanes16, kMaxPlanes>& need) {
+  const NodeTag d;
+  Verdict<V> verdict{hn::Zero(d), hn::Zero(d)};
+  const int shift = n.shift;
+  const V most = set16(d, 65535 >> shift);
+  for (; which != 0; which &= which - 1) {
+    const int k = std::countr_zero(which);
+    const Planes::Column& p = planes.columns[static_cast<std::size_t>(k)];
+    const V out = set16(d, t.out[static_cast<std::size_t>(k)]), in = set16(d, t.in[static_cast<std::size_t>(k)]);
+    const auto inner = [&](std::size_t axis) { return hn::Load(d, &n.box[p.inner[axis]][i]); };
+    const auto outer = [&](std::size_t axis) { return hn::Not(hn::Load(d, &n.box[p.outer[axis]][i])); };
+    const V nearest = distance(d, p, outer(0), outer(1), outer(2));
+    verdict.gone = hn::Or(verdict.gone, hn::SaturatedSub(out, distance(d, p, inner(0), inner(1), inner(2))));
+    verdict.planes = hn::Or(verdict.planes, plane_bit(hn::SaturatedSub(in, nearest), k));
+    const V left = hn::Min(hn::SaturatedSub(hn::SaturatedSub(out, nearest), set16(d, 1)), most);
+    hn::Store(hn::SaturatedSub(hn::ShiftLeftSame(left, shift), set16(d, 2)), d, &need[static_cast<std::size_t>(k)][i]);
+  }
+  return verdict;
+}
+
+/// All lanes of a node against the planes of `which`.
+HWY_INLINE void test_node(const Planes& planes, unsigned which, const BqrNode& n, NodeResult& result) {
+  const NodeTag d;
+  const Thresholds t = thresholds_of(planes, n);
+  std::uint32_t alive = 0, inside = 0;
+  for (std::size_t i = 0; i < kLanes; i += hn::Lanes(d)) {
+    const auto ball = test_balls(planes, which, t, n, i), box = test_boxes(planes, which, t, n, i, result.need);
+    // Outside where either is, inside a plane where either is [numerics 2.3].
+    const auto crossed = hn::And(ball.planes, box.planes);
+    hn::Store(crossed, d, &result.planes[i]);
+    alive |= bits_zero(d, hn::Or(ball.gone, box.gone)) << i;
+    inside |= bits_zero(d, crossed) << i;
+  }
+  result.alive = alive & n.lanes;
+  result.inside = inside & result.alive;
+}
+
+/// Bit i: classes[i] has one of `wanted`. 16 lanes.
+HWY_INLINE std::uint32_t lanes_of(const ClassMask* classes, ClassMask wanted) {
+  const NodeTag d;
+  std::uint32_t none = 0;
+  for (std::size_t i = 0; i < kLanes; i += hn::Lanes(d))
+    none |= bits_zero(d, hn::And(hn::LoadU(d, classes + i), hn::Set(d, wanted))) << i;
+  return ~none & 0xFFFFU;
+}
+
+/// Bit i: box i of a packet is not outside. `length` numbers a column; bits beyond it mean nothing, but 32 numbers are
+/// read. `need` as in NodeResult, of one lane.
+HWY_INLINE std::uint32_t kept(const Planes& planes, unsigned which, const std::uint16_t* packet, std::uint32_t length,
+                              const std::uint16_t* need) {
+  const PacketTag d;
+  constexpr std::size_t kWidth = hn::MaxLanes(d), kVectors = kPacket / kWidth;
+  std::array<hn::Vec<PacketTag>, kVectors> gone;
+  for (auto& v : gone) v = hn::Zero(d);
+  for (; which != 0; which &= which - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(which));
+    const Planes::Column& p = planes.columns[k];
+    const auto out = hn::Set(d, need[k * kLanes]);
+    const std::uint16_t *x = packet + p.inner[0] * length, *y = packet + p.inner[1] * length,
+                        *z = packet + p.inner[2] * length;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+      const std::size_t i = v * kWidth;
+      const auto f = distance(d, p, hn::LoadU(d, x + i), hn::LoadU(d, y + i), hn::LoadU(d, z + i));
+      gone[v] = hn::Or(gone[v], hn::SaturatedSub(out, f));
+    }
+  }
+  std::uint32_t keep = 0;
+  for (std::size_t v = 0; v < kVectors; ++v) keep |= bits_zero(d, gone[v]) << (v * kWidth);
+  return keep;
+}
+
+}  // namespace manzana::culling::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,157 @@
+#include "culling/pack.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace manzana::culling {
+namespace {
+
+constexpr std::uint32_t kColumns = 6;
+constexpr std::uint32_t kPacketNumbers = kColumns * kPacket;
+
+std::uint32_t packets_of(std::uint32_t objects) { return (objects + kPacket - 1) / kPacket; }
+
+/// Bits 0 to 15 of x to every second place.
+std::uint32_t spread(std::uint32_t x) {
+  x = (x | x << 8) & 0x00FF00FFU;
+  x = (x | x << 4) & 0x0F0F0F0FU;
+  x = (x | x << 2) & 0x33333333U;
+  return (x | x << 1) & 0x55555555U;
+}
+
+/// Of the box's middle in plan.
+std::uint32_t z_order(const Reaches& r) {
+  const auto middle = [&](std::size_t axis) { return (r[axis] + (65535U - r[axis + 3])) / 2; };
+  return spread(middle(0)) | spread(middle(1)) << 1;
+}
+
+bool holds(const BoxD& outer, const BoxD& inner) {
+  return glm::all(glm::lessThanEqual(outer.min, inner.min)) && glm::all(glm::lessThanEqual(inner.max, outer.max));
+}
+
+struct Packing {
+  std::uint32_t key;
+  std::uint32_t row;  // of the input
+  Reaches reaches;
+};
+
+/// One column number each; `stride` between columns.
+void write(std::uint16_t* column, std::uint32_t stride, const Reaches& r) {
+  for (std::size_t k = 0; k < kColumns; ++k) column[k * stride] = std::max(column[k * stride], r[k]);
+}
+
+void write_packets(std::uint16_t* out, const std::vector<Packing>& objects) {
+  const auto n = static_cast<std::uint32_t>(objects.size());
+  if (n <= kPacket) {
+    for (std::uint32_t i = 0; i < n; ++i) write(out + i, (n + 7) / 8 * 8, objects[i].reaches);
+    return;
+  }
+  std::uint16_t* packets = out + std::size_t{packets_of(packets_of(n))} * kPacketNumbers;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t p = i / kPacket;
+    write(packets + std::size_t{p} * kPacketNumbers + i % kPacket, kPacket, objects[i].reaches);
+    write(out + std::size_t{p / kPacket} * kPacketNumbers + p % kPacket, kPacket, objects[i].reaches);
+  }
+}
+
+void refuse(std::uint32_t row, const char* what) {
+  throw std::invalid_argument("object " + std::to_string(row) + ": " + what);
+}
+
+}  // namespace
+
+SphereD relative(const SphereD& sphere, const Vec3d& origin) {
+  const Vec3d c = sphere.center - origin;
+  return {c, (sphere.radius + 0x1p-50 * glm::length(c)) * (1 + 0x1p-50)};
+}
+
+BqrNode empty_node(const Lattice& lattice) {
+  BqrNode node;
+  node.corner = Vec3(lattice.corner);
+  node.step = static_cast<float>(lattice.step);
+  return node;
+}
+
+Lattice lattice_of(const BqrNode& node) { return {Vec3d(node.corner), static_cast<double>(node.step)}; }
+
+void set_volumes(BqrNode& node, std::uint32_t lane, const BoxD& box, const SphereD& ball) {
+  const Lattice l = lattice_of(node);
+  const Vec3d at = glm::clamp(glm::round((ball.center - l.corner) / l.step), 0.0, kLatticeEnd);
+  for (int k = 0; k < 3; ++k) node.sphere[static_cast<std::size_t>(k)][lane] = static_cast<std::uint16_t>(at[k]);
+  node.sphere[3][lane] = lattice_radius(ball.radius, l.step);
+  const Reaches r = reaches_of(box, l.corner, l.far_corner(), 1 / l.step);
+  for (std::size_t k = 0; k < kColumns; ++k) node.box[k][lane] = r[k];
+}
+
+SphereD lane_sphere(const BqrNode& node, std::uint32_t lane) {
+  const Lattice l = lattice_of(node);
+  const auto& s = node.sphere;
+  return {l.corner + l.step * Vec3d(s[0][lane], s[1][lane], s[2][lane]), s[3][lane] * (65536 / kTestScale) * l.step};
+}
+
+BoxD lane_box(const BqrNode& node, std::uint32_t lane) {
+  const Lattice l = lattice_of(node);
+  const auto& b = node.box;
+  return {l.far_corner() - l.step * Vec3d(b[3][lane], b[4][lane], b[5][lane]),
+          l.corner + l.step * Vec3d(b[0][lane], b[1][lane], b[2][lane])};
+}
+
+std::uint8_t finest_shift(const BqrNode& node) {
+  std::uint32_t extent = 1;
+  for (std::uint32_t i = 0; i < kLanes; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      if ((node.blocks >> i & 1) != 0) extent = std::max(extent, node.box[k][i] + node.box[k + 3][i] - 65535U);
+  return static_cast<std::uint8_t>(std::bit_width(65535U / extent) - 1);
+}
+
+std::uint32_t packed_size(std::uint32_t objects) {
+  if (objects <= kPacket) return (objects + 7) / 8 * kColumns;
+  return (packets_of(objects) + packets_of(packets_of(objects))) * (kPacketNumbers / 8);
+}
+
+void pack_objects(BqrTree& tree, std::uint32_t block, const BlockObjects& objects, std::uint32_t from,
+                  const BlockVolume& volume) {
+  const BqrNode& node = tree.nodes[tree.place[block] / kLanes];
+  const std::uint32_t lane = tree.place[block] % kLanes;
+  const BoxD frame = lane_box(node, lane);
+  const double steps = std::ldexp(1 / static_cast<double>(node.step), node.shift);
+  const ObjectRun run = tree.block_objects[block];
+  std::vector<Packing> packing(run.last - run.first);
+  for (std::uint32_t i = 0; i < packing.size(); ++i) {
+    const BoxD& box = objects.boxes[from + i];
+    if (box.empty() || !holds(volume.box, box)) refuse(from + i, "its box is empty or reaches out of its block");
+    packing[i].row = from + i;
+    packing[i].reaches = reaches_of({box.min - tree.origin, box.max - tree.origin}, frame.min, frame.max, steps);
+    packing[i].key = z_order(packing[i].reaches);
+  }
+  std::sort(packing.begin(), packing.end(),
+            [](const Packing& a, const Packing& b) { return std::pair(a.key, a.row) < std::pair(b.key, b.row); });
+  write_packets(tree.packets.data() + std::size_t{node.child[lane]} * 8, packing);
+  for (std::uint32_t i = 0; i < packing.size(); ++i) {
+    tree.object_order[run.first + i] = packing[i].row;
+    if (tree.classes.empty()) continue;
+    tree.classes[run.first + i] = objects.classes[packing[i].row];
+    if (objects.classes[packing[i].row] == 0) refuse(packing[i].row, "it has no class");
+  }
+}
+
+ClassMask block_classes(const BqrTree& tree, std::uint32_t block, ClassMask others) {
+  if (tree.classes.empty()) return kAllClasses;
+  const ObjectRun run = tree.block_objects[block];
+  ClassMask all = others;
+  for (std::uint32_t i = run.first; i < run.last; ++i) all |= tree.classes[i];
+  return all;
+}
+
+ClassMask all_classes(const BqrNode& node) {
+  ClassMask all = 0;
+  for (std::uint32_t i = 0; i < kLanes; ++i)
+    if ((node.lanes >> i & 1) != 0) all |= node.classes[i];
+  return all;
+}
+
+}  // namespace manzana::culling

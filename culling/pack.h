@@ -1,0 +1,33 @@
+#pragma once
+/// How volumes are written into nodes and packets; shared by the builder and by edits.
+#include "culling/bqr_tree.h"
+#include "culling/lattice.h"
+
+namespace manzana::culling {
+
+/// Relative to an origin, enlarged by more than the subtraction's error.
+SphereD relative(const SphereD& sphere, const Vec3d& origin);
+
+BqrNode empty_node(const Lattice& lattice);
+Lattice lattice_of(const BqrNode& node);
+
+/// Volumes of a lane, relative to the tree's origin, on the node's lattice.
+void set_volumes(BqrNode& node, std::uint32_t lane, const BoxD& box, const SphereD& ball);
+
+/// How much finer the lattices of a node's blocks can be: that of the largest must not end before its box does.
+std::uint8_t finest_shift(const BqrNode& node);
+
+/// Numbers that the packets of so many objects take, in units of 8. Up to 32 objects: six columns, as long as needed.
+/// More: packets of 32 boxes that enclose one packet each, then the packets.
+std::uint32_t packed_size(std::uint32_t objects);
+
+/// Writes the packets, the classes and the order of a block's objects, in the order of a Z-curve; the block has its
+/// place, its run and room for its packets. Rows of the input from `from`. Throws as build_bqr_tree does.
+void pack_objects(BqrTree& tree, std::uint32_t block, const BlockObjects& objects, std::uint32_t from,
+                  const BlockVolume& volume);
+
+/// Of the block's objects, and `others`; all classes if the tree has none. Of all lanes of a node.
+ClassMask block_classes(const BqrTree& tree, std::uint32_t block, ClassMask others);
+ClassMask all_classes(const BqrNode& node);
+
+}  // namespace manzana::culling

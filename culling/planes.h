@@ -1,0 +1,28 @@
+#pragma once
+/// A frustum made ready for one tree: what culling/lattice.h needs of each plane. A value; made once a query, 50 ns.
+///   const Planes planes = make_planes(tree, make_frustum(view));
+#include "culling/bqr_tree.h"
+#include "culling/frustum.h"
+
+namespace manzana::culling {
+
+inline constexpr std::size_t kMaxPlanes = 8;  ///< places for planes, so that they fill registers
+
+/// The planes of which bit is set in `used`; relative to the tree's origin. Letters as in culling/lattice.h.
+struct alignas(64) Planes {
+  std::array<double, kMaxPlanes> x{}, y{}, z{}, offset{};  ///< n, d
+  std::array<double, kMaxPlanes> turned{};                 ///< N sum(max(-n_i, 0))
+  std::array<double, kMaxPlanes> margin{};                 ///< m
+  struct Column {
+    std::array<std::uint16_t, 3> a{};               ///< A_i
+    std::array<std::uint16_t, 3> flip{};            ///< all ones where n_i < 0: ~u instead of u
+    std::array<std::uint16_t, 3> inner{}, outer{};  ///< columns of a box: its reach inward, and outward
+  };
+  std::array<Column, kMaxPlanes> columns{};
+  unsigned used = 0;
+};
+
+/// A plane without a normal, or with anything not finite, is left out: it never culls.
+Planes make_planes(const BqrTree& tree, const FrustumD& frustum);
+
+}  // namespace manzana::culling
