@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "culling/baselines/city.h"
+#include "culling/frustum.h"
 
 namespace manzana::baselines {
 
