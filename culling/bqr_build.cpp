@@ -107,21 +107,38 @@ class Builder {
     lanes.insert(at, by.begin(), by.end());
   }
 
-  /// The lanes of a node: the fullest are opened while there is room for their children.
+  /// The lanes of a node: the fullest are opened while there is room for their children; then half quadrants with few
+  /// blocks are joined, and what little there is stands without a node of its own.
   Parts choose(const Part& part) const {
     if (part.size() <= kLanes) return single_blocks(part);
     Parts lanes = opened(part);
-    const auto fuller = [](const Part& a, const Part& b) { return a.size() < b.size(); };
-    for (;;) {
-      const auto most = std::max_element(lanes.begin(), lanes.end(), fuller);
-      if (most->size() <= kLanes) break;
-      const Parts by = opened(*most);
-      if (lanes.size() - 1 + by.size() > kLanes) break;
-      replace(lanes, static_cast<std::size_t>(most - lanes.begin()), by);
+    while (open_fullest(lanes) || join_halves(lanes)) {
     }
     while (open_few(lanes)) {
     }
     return lanes;
+  }
+  bool open_fullest(Parts& lanes) const {
+    const auto fuller = [](const Part& a, const Part& b) { return a.size() < b.size(); };
+    const auto most = std::max_element(lanes.begin(), lanes.end(), fuller);
+    if (most->size() <= kLanes) return false;
+    const Parts by = opened(*most);
+    if (lanes.size() - 1 + by.size() > kLanes) return false;
+    replace(lanes, static_cast<std::size_t>(most - lanes.begin()), by);
+    return true;
+  }
+  bool join_halves(Parts& lanes) const {
+    for (std::size_t i = 0; i + 1 < lanes.size(); ++i) {
+      if (lanes[i].size() + lanes[i + 1].size() > kLanes || !one_half(lanes[i], lanes[i + 1])) continue;
+      lanes[i] = {lanes[i].first, lanes[i + 1].last};
+      lanes.erase(lanes.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+      return true;
+    }
+    return false;
+  }
+  /// Two quadrants side by side: their keys differ in the last bit, x.
+  bool one_half(const Part& a, const Part& b) const {
+    return a.quad != kNoQuad && b.quad != kNoQuad && quads_.nodes[a.quad].key >> 1 == quads_.nodes[b.quad].key >> 1;
   }
   /// The lane with the fewest blocks, beside the others without a node of its own, if there is room.
   static bool open_few(Parts& lanes) {
@@ -138,7 +155,7 @@ class Builder {
     return part.size() == 1 ? below.front() : enclosing_sphere(below);
   }
 
-  std::uint32_t make_node(const Part& part, std::uint32_t parent, std::uint32_t depth) {
+  std::uint32_t make_node(const Part& part, std::uint32_t parent, std::uint16_t depth) {
     const Parts lanes = choose(part);
     const auto at = static_cast<std::uint32_t>(tree_.nodes.size());
     tree_.nodes.emplace_back();
@@ -157,7 +174,7 @@ class Builder {
     tree_.nodes[at] = node;
     for (std::uint32_t i = 0; i < lanes.size(); ++i)
       if (lanes[i].size() > 1) {
-        const std::uint32_t child = make_node(lanes[i], at, depth + 1);
+        const std::uint32_t child = make_node(lanes[i], at, static_cast<std::uint16_t>(depth + 1));
         tree_.nodes[at].child[i] = child;
       }
     return at;

@@ -56,20 +56,21 @@ using Lanes32 = std::array<std::uint32_t, kLanes>;
 /// Up to 16 children side by side, on the node's lattice. A lane is a node, a block, or nothing. What a query reads
 /// first stands first: it comes to nodes cold.
 struct alignas(64) BqrNode {
-  Vec3 corner{0, 0, 0};             ///< of the lattice, relative to the tree's origin; exact
-  float step = 1;                   ///< of the lattice, metres; a power of two
-  std::uint16_t lanes = 0;          ///< bit i: lane i holds something
-  std::uint16_t blocks = 0;         ///< bit i: lane i is a block
-  std::uint16_t whole = 0;          ///< bit i: all objects below lane i are the run [first[i], last[i]), without a hole
-  std::uint8_t shift = 0;           ///< the lattices of its blocks are 2^shift times finer
-  bool ordered = true;              ///< last[i] = first[j] for any two neighbours i, j that hold something
-  std::uint32_t parent = 0;         ///< the root is its own
-  std::uint32_t depth = 0;          ///< nodes above
-  Lanes16 classes{};                ///< united over all objects below
-  std::array<Lanes16, 4> sphere{};  ///< centre x, y, z; radius in units of the test
-  Lanes32 first{}, last{};          ///< objects
-  Lanes32 child{};                  ///< a node; or where a block's packets begin, in units of 8 numbers
-  std::array<Lanes16, 6> box{};     ///< reaches
+  Vec3 corner{0, 0, 0};                 ///< of the lattice, relative to the tree's origin; exact
+  float step = 1;                       ///< of the lattice, metres; a power of two
+  std::uint16_t lanes = 0;              ///< bit i: lane i holds something
+  std::uint16_t blocks = 0;             ///< bit i: lane i is a block
+  std::uint16_t whole = 0;              ///< bit i: all objects below lane i are the run [first[i], last[i]), no hole
+  std::uint16_t balls = 0;              ///< bit i: the sphere of lane i does not enclose its box, so it tells more
+  std::uint8_t shift = 0;               ///< the lattices of its blocks are 2^shift times finer
+  bool ordered = true;                  ///< last[i] = first[j] for any two neighbours i, j that hold something
+  std::uint16_t depth = 0;              ///< nodes above
+  std::uint32_t parent = 0;             ///< the root is its own
+  Lanes16 classes{};                    ///< united over all objects below
+  std::array<Lanes16, 6> box{};         ///< reaches
+  Lanes32 first{}, last{};              ///< objects
+  Lanes32 child{};                      ///< a node; or where a block's packets begin, in units of 8 numbers
+  std::array<Lanes16, 4> sphere{};      ///< centre x, y, z; radius in units of the test
   Lanes32 first_block{}, last_block{};  ///< blocks
 };
 

@@ -67,6 +67,7 @@ class Traversal {
  private:
   static constexpr std::uint32_t kBatch = kViews == 1 ? 16 : 4;
   static constexpr bool kOne = kViews == 1;
+  static constexpr std::size_t kRead = offsetof(BqrNode, sphere);  // of a node, as a rule
 
   template <class F>
   HWY_INLINE void each_view(std::uint32_t views, F f) const {
@@ -122,7 +123,7 @@ class Traversal {
       to.views |= open << v;
       to.planes |= std::uint64_t{result.planes[lane]} << (8 * v);
     });
-    prefetch(&tree_.nodes[n.child[lane]], sizeof(BqrNode));
+    prefetch(&tree_.nodes[n.child[lane]], kRead);
   }
 
   /// Neighbouring lanes that are inside are one run.

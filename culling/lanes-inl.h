@@ -81,8 +81,8 @@ HWY_INLINE Thresholds thresholds_of(const Planes& p, const BqrNode& n) {
 /// F of points with distances x, y, z.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V distance(D d, const Planes::Column& p, V x, V y, V z) {
-  return hn::Add(hn::Add(hn::MulHigh(hn::Set(d, p.a[0]), x), hn::MulHigh(hn::Set(d, p.a[1]), y)),
-                 hn::MulHigh(hn::Set(d, p.a[2]), z));
+  return hn::Add(hn::Add(hn::MulHigh(hn::Load(d, p.a[0].data()), x), hn::MulHigh(hn::Load(d, p.a[1].data()), y)),
+                 hn::MulHigh(hn::Load(d, p.a[2].data()), z));
 }
 
 /// Gathers, plane by plane, which lanes are outside and which planes they may cross.
@@ -145,11 +145,14 @@ HWY_INLINE void test_node(const Planes& planes, unsigned which, const BqrNode& n
   const Thresholds t = thresholds_of(planes, n);
   std::uint32_t alive = 0, inside = 0;
   for (std::size_t i = 0; i < kLanes; i += hn::Lanes(d)) {
-    const auto ball = test_balls(planes, which, t, n, i), box = test_boxes(planes, which, t, n, i, result.need);
-    // Outside where either is, inside a plane where either is [numerics 2.3].
-    const auto crossed = hn::And(ball.planes, box.planes);
+    auto [gone, crossed] = test_boxes(planes, which, t, n, i, result.need);
+    if (n.balls != 0) {  // outside where either is, inside a plane where either is [numerics 2.3]
+      const auto ball = test_balls(planes, which, t, n, i);
+      gone = hn::Or(gone, ball.gone);
+      crossed = hn::And(crossed, ball.planes);
+    }
     hn::Store(crossed, d, &result.planes[i]);
-    alive |= bits_zero(d, hn::Or(ball.gone, box.gone)) << i;
+    alive |= bits_zero(d, gone) << i;
     inside |= bits_zero(d, crossed) << i;
   }
   result.alive = alive & n.lanes;

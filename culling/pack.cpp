@@ -33,6 +33,11 @@ bool holds(const BoxD& outer, const BoxD& inner) {
   return glm::all(glm::lessThanEqual(outer.min, inner.min)) && glm::all(glm::lessThanEqual(inner.max, outer.max));
 }
 
+bool encloses(const SphereD& ball, const BoxD& box) {
+  const Vec3d farthest = glm::max(glm::abs(box.min - ball.center), glm::abs(box.max - ball.center));
+  return glm::length(farthest) <= ball.radius;
+}
+
 struct Packing {
   std::uint32_t key;
   std::uint32_t row;  // of the input
@@ -85,6 +90,7 @@ void set_volumes(BqrNode& node, std::uint32_t lane, const BoxD& box, const Spher
   node.sphere[3][lane] = lattice_radius(ball.radius, l.step);
   const Reaches r = reaches_of(box, l.corner, l.far_corner(), 1 / l.step);
   for (std::size_t k = 0; k < kColumns; ++k) node.box[k][lane] = r[k];
+  if (!encloses(ball, box)) node.balls |= static_cast<std::uint16_t>(1U << lane);
 }
 
 SphereD lane_sphere(const BqrNode& node, std::uint32_t lane) {
