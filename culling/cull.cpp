@@ -267,5 +267,10 @@ CullStats cull(const BqrTree& tree, std::span<const Planes> views, std::span<Ans
                            : HWY_DYNAMIC_DISPATCH(cull_many)(tree, views, answers, asked);
 }
 
+const char* simd_target() {
+  const std::int64_t best = hwy::SupportedTargets() & HWY_TARGETS;
+  return hwy::TargetName(best & -best);  // better targets have lower bits
+}
+
 }  // namespace manzana::culling
 #endif

@@ -83,6 +83,9 @@ inline constexpr std::size_t kMaxViews = 8;
 CullStats cull(const BqrTree& tree, std::span<const Planes> views, std::span<Answer> answers,
                const CullOptions& options = {});
 
+/// The kind of vectors that queries use on this processor: "AVX3", "AVX2", "SSE4", "NEON", ...
+const char* simd_target();
+
 /// In the tree's order, neighbours joined. For those that draw in order. O(n log n), no allocation.
 std::span<const ObjectRun> ordered(Answer& answer);
 

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "commit.h"  // written by every build
-#include "culling/simd.h"
+#include "culling/cull.h"
 
 namespace manzana::culling_benchmark {
 namespace {
@@ -51,18 +51,10 @@ std::string compiler() {
 #endif
 }
 
-std::string simd() {
-#ifdef MANZANA_SSE2
-  return "SSE2";
-#else
-  return "none";
-#endif
-}
-
 }  // namespace
 
 const Machine& this_machine() {
-  static const Machine machine{processor(), memory(), system_name(), compiler(), simd(), MANZANA_COMMIT};
+  static const Machine machine{processor(), memory(), system_name(), compiler(), culling::simd_target(), MANZANA_COMMIT};
   return machine;
 }
 
