@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -46,6 +47,9 @@ class Builder {
   Builder(std::span<const BlockVolume> blocks, const BlockObjects& objects) : in_(blocks), objects_(objects) {}
 
   BqrTree run() {
+    assert(objects_.first.empty() ? objects_.boxes.empty() : objects_.first.size() == in_.size() + 1);
+    assert(objects_.first.empty() || objects_.first.back() == objects_.boxes.size());
+    assert(objects_.classes.empty() || objects_.classes.size() == objects_.boxes.size());
     refuse_bad_blocks(in_);
     if (in_.empty()) return {};
     quads_ = build_quadtree(in_);
@@ -85,11 +89,11 @@ class Builder {
     Parts parts;
     if (part.quad == kNoQuad || (children(part.quad, parts), parts.size() > kLanes)) {
       parts.clear();
-      for (std::uint32_t i = 0; i < kLanes; ++i) {
-        const auto end = [&](std::uint32_t k) { return part.first + part.size() * std::uint64_t{k} / kLanes; };
-        const Part p{static_cast<std::uint32_t>(end(i)), static_cast<std::uint32_t>(end(i + 1))};
-        if (p.size() > 0) parts.push_back(p);
-      }
+      std::uint64_t size = 1;  // powers of 16, so that the nodes below are full
+      while (size * kLanes < part.size()) size *= kLanes;
+      for (std::uint64_t at = part.first; at < part.last; at += size)
+        parts.push_back({static_cast<std::uint32_t>(at),
+                         static_cast<std::uint32_t>(std::min<std::uint64_t>(at + size, part.last))});
     }
     return parts;
   }
@@ -190,7 +194,8 @@ class Builder {
     BoxD all = box_of(part);
     for (const SphereD& ball : balls) all = merge(all, ball.center);
     const Lattice lattice = make_lattice(all);
-    tree_.reach = std::max({tree_.reach, glm::length(lattice.corner), glm::length(lattice.far_corner())});
+    tree_.reach =
+        std::max(tree_.reach, glm::length(glm::max(glm::abs(lattice.corner), glm::abs(lattice.far_corner()))));
     return lattice;
   }
 

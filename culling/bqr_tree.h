@@ -91,14 +91,15 @@ struct BqrTree {
 
 /// O(n log n); on both the blocks and the objects of one block parallel. No block: no node. Does not depend on the
 /// order of the blocks. Within a block objects follow a Z-curve. Throws std::invalid_argument, with the index, for a
-/// block whose centre or volume is empty, not finite or beyond 1e37 m, and for an object whose box is empty, not finite
-/// or not within its block's box, or whose class mask is 0.
+/// block whose centre is not finite or whose volume is empty, not finite or beyond 1e37 m, and for an object whose box
+/// is empty, not finite or not within its block's box, or whose class mask is 0.
 BqrTree build_bqr_tree(std::span<const BlockVolume> blocks, const BlockObjects& objects = {});
 
 /// Bytes of all that a query may read.
 std::size_t query_bytes(const BqrTree& tree);
 
-/// Volumes as they are tested: outward from those of the input. In metres, relative to the tree's origin.
+/// Volumes as they are tested: outward from those of the input, but for what double rounds of `reach`, which the
+/// planes' margin covers. In metres, relative to the tree's origin.
 SphereD lane_sphere(const BqrNode& node, std::uint32_t lane);
 BoxD lane_box(const BqrNode& node, std::uint32_t lane);
 

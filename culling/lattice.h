@@ -15,8 +15,10 @@
 /// most): outside if F + R < t_out, inside if F >= t_in + R. A box keeps its reaches a_i = max_i - c_i and b_i = c_i +
 /// N h - min_i, rounded up: its corner farthest inward has w_i = n_i >= 0 ? a_i : b_i, the one farthest outward w_i =
 /// ~(n_i >= 0 ? b_i : a_i). Objects have reaches from the corners of their block's box, on steps of h / 2^shift. Seen
-/// from the block's outer corner, with F' there, k D' >= k D + F' - 3, so t_out of the finer lattice is 2^shift (t_out
-/// - F' - 1) - 2. Whatever is clamped to 16 bits is clamped towards keeping.
+/// from the block's outer corner, with F' there, k D' < k D + F' + 3, so k (-D' - m) > t_out - F' - 1, and t_out of the
+/// finer lattice is 2^shift (t_out - F' - 1) - 2. Whatever is clamped to 16 bits is clamped towards keeping, as long as
+/// boxes and the centres of balls are within the lattice. What doubles round before they are rounded outward here is
+/// part of m.
 #include <array>
 #include <cstdint>
 

@@ -11,7 +11,8 @@ SphereD relative(const SphereD& sphere, const Vec3d& origin);
 BqrNode empty_node(const Lattice& lattice);
 Lattice lattice_of(const BqrNode& node);
 
-/// Volumes of a lane, relative to the tree's origin, on the node's lattice.
+/// Volumes of a lane, relative to the tree's origin, on the node's lattice: the box and the ball's centre must be
+/// within it, what reaches beyond is cut off.
 void set_volumes(BqrNode& node, std::uint32_t lane, const BoxD& box, const SphereD& ball);
 
 /// How much finer the lattices of a node's blocks can be: that of the largest must not end before its box does.

@@ -1,5 +1,6 @@
 #include "culling/planes.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "culling/lattice.h"
@@ -36,6 +37,7 @@ Planes make_planes(const BqrTree& tree, const FrustumD& frustum) {
   for (std::size_t k = 0; k < static_cast<std::size_t>(frustum.count); ++k) {
     const PlaneD& p = frustum.planes[k];
     if (!usable(p)) continue;
+    assert(std::abs(glm::length(p.normal) - 1) < 1e-6);  // longer ones would not fit into 16 bits
     planes.used |= 1U << k;
     planes.x[k] = p.normal.x;
     planes.y[k] = p.normal.y;

@@ -24,7 +24,7 @@ struct alignas(64) Planes {
   unsigned used = 0;
 };
 
-/// A plane without a normal, or with anything not finite, is left out: it never culls.
+/// A plane without a normal, or with anything not finite, is left out: it never culls. Normals are of length 1.
 Planes make_planes(const BqrTree& tree, const FrustumD& frustum);
 
 }  // namespace manzana::culling
