@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "culling/baselines/exact.h"
-#include "tests/culling/city.h"
+#include "culling/baselines/random.h"
 
 namespace manzana::culling::test {
 
+using baselines::Random;
 using Real = long double;
 using Vec3l = glm::vec<3, Real>;
 

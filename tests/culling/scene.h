@@ -1,57 +1,75 @@
 #pragma once
-/// A generated city with its tree and its objects as columns, ready to be asked.
-#include "culling/baselines/exact.h"
-#include "tests/culling/city.h"
+/// A generated city with its tree, ready to be asked; and every kind of vectors that can answer.
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "culling/baselines/cases.h"
+#include "culling/baselines/random.h"
+#include "culling/cull.h"
 
 namespace manzana::culling::test {
 
+using baselines::City;
+using baselines::Random;
+
 struct Scene {
   City city;
+  std::vector<ClassMask> classes;  ///< a row an object of the city, or none
   BqrTree tree;
   std::vector<BoxD> boxes;  ///< of the objects, in the tree's order
-  ObjectTable table;
 };
 
-inline Scene make_scene(City city) {
-  Scene s{std::move(city), {}, {}, {}};
-  s.tree = build_bqr_tree(s.city.blocks);
-  Ordered objects = ordered_objects(s.city, s.tree);
-  s.boxes = std::move(objects.boxes);
-  s.table = build_object_table(s.tree.origin, s.boxes, std::move(objects.first));
+inline Scene make_scene(City city, std::vector<ClassMask> classes = {}) {
+  Scene s{std::move(city), std::move(classes), {}, {}};
+  s.tree = build_bqr_tree(s.city.blocks, {s.city.first, s.city.boxes, s.classes});
+  for (const std::uint32_t row : s.tree.object_order) s.boxes.push_back(s.city.boxes[row]);
   return s;
 }
 
-/// 10 000 objects in 400 blocks, 2 km wide.
-inline Scene city_10k(const Vec3d& center = Vec3d(0)) { return make_scene(make_city(20, 25, 1, center)); }
-
-/// The buffers of a query, with room for any answer.
-struct Answer {
-  std::vector<LeafRun> blocks;
-  std::vector<ObjectRun> objects;
-  CullStats stats;
-  explicit Answer(const Scene& s) {
-    blocks.reserve(s.tree.order.size());
-    reserve_runs(objects, s.table);
-  }
-};
-
-inline void ask_blocks(const Scene& s, const Frustum& frustum, Answer& answer) {
-  answer.blocks.clear();
-  answer.stats = cull(s.tree, frustum, [&](const LeafRun& run) { answer.blocks.push_back(run); });
-}
-inline void ask_objects(const Scene& s, const Frustum& frustum, Answer& answer) {
-  cull_objects(s.table, answer.blocks, frustum, answer.objects);
+inline Scene city_10k(const Vec3d& place = Vec3d(0)) {
+  return make_scene(moved(baselines::make_city(10'000, 1), place));
 }
 
-inline Frustum frustum_of(const Scene& s, const View& view) { return narrow(make_frustum(view), s.tree.origin); }
+inline Planes planes_of(const Scene& s, const View& view) { return make_planes(s.tree, make_frustum(view)); }
 
-/// A flag a leaf or an object.
+/// A flag a block or an object; no two runs may meet, none may be empty.
 template <class Run>
-std::vector<bool> flags(const std::vector<Run>& runs, std::size_t n) {
+std::vector<bool> flags(std::span<const Run> runs, std::size_t n) {
   std::vector<bool> seen(n);
-  for (const Run& run : runs)
-    for (std::uint32_t i = run.first; i < run.last; ++i) seen[i] = true;
+  for (const Run& run : runs) {
+    REQUIRE(run.first < run.last);
+    REQUIRE(run.last <= n);
+    for (std::uint32_t i = run.first; i < run.last; ++i) {
+      REQUIRE_FALSE(seen[i]);
+      seen[i] = true;
+    }
+  }
   return seen;
+}
+inline std::vector<bool> seen_objects(const Scene& s, const Answer& answer) {
+  return flags(answer.objects(), s.boxes.size());
+}
+
+inline std::uint64_t count(const std::vector<bool>& seen) {
+  return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), true));
+}
+inline std::uint64_t differing(const std::vector<bool>& a, const std::vector<bool>& b) {
+  std::uint64_t n = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) n += a[i] != b[i] ? 1U : 0U;
+  return n;
+}
+
+/// f(name) once with each kind of vectors that the processor at hand has, the widest first, plain numbers last.
+template <class F>
+void on_each_target(F f) {
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    INFO(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    f(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(0);
+  }
 }
 
 }  // namespace manzana::culling::test

@@ -4,11 +4,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "culling/baselines/random.h"
 #include "culling/overlap.h"
-#include "tests/culling/city.h"
 
 namespace manzana::culling::test {
 namespace {
+
+using baselines::Random;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 

@@ -5,10 +5,12 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "tests/culling/city.h"
+#include "culling/baselines/random.h"
 
 namespace manzana::culling::test {
 namespace {
+
+using baselines::Random;
 
 using Big = boost::multiprecision::cpp_bin_float_100;
 constexpr double kInf = std::numeric_limits<double>::infinity();
