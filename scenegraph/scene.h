@@ -1,7 +1,7 @@
 #pragma once
-/// The scene: arrays and ids, no tree of objects. An object (building, tree, piece of ground) is a row in columns
-/// sorted by block, blocks are stored in the order of the BqR-Tree's leaves; so a node of the tree is a run of blocks,
-/// and a run of blocks is a run of every kind of object.
+/// The scene: arrays and ids. An object (building, tree, piece of ground) is a row in the columns of its layer; blocks
+/// and objects are stored in the order of the BqR-Tree, so a part of the tree is a run of blocks, and a run of every
+/// kind of object.
 ///   Imported city = import_city("helsinki.osm.pbf");          // scenegraph/import/import.h
 ///   VisibleSets sets(city.scene);                             // scenegraph/visible.h, reserves once
 ///   find_visible(city.scene, view, Structure::bqr, sets);     // each frame
@@ -10,17 +10,17 @@
 #include <vector>
 
 #include "culling/bqr_tree.h"
-#include "culling/object_table.h"
+#include "scenegraph/layer_table.h"
 #include "scenegraph/local_frame.h"
 #include "scenegraph/mesh.h"
 #include "scenegraph/traffic.h"
 
 namespace manzana {
 
-/// Objects with a mesh each. Object i has the indices [index_first[i], index_first[i + 1]) of `mesh`, so a run of
-/// objects is one run of indices.
+/// Objects with a mesh each. Row i has the indices [index_first[i], index_first[i + 1]) of `mesh`, so a run of rows is
+/// one run of indices.
 struct MeshLayer {
-  culling::ObjectTable table;
+  LayerTable table;
   CityMesh mesh;
   std::vector<std::uint32_t> index_first;
 };
@@ -40,13 +40,13 @@ struct TreeInstance {
 };
 
 struct TreeLayer {
-  culling::ObjectTable table;
-  std::vector<TreeInstance> instances;  ///< a row an object
+  LayerTable table;
+  std::vector<TreeInstance> instances;  ///< a row a tree
 };
 
 struct Scene {
   LocalFrame frame;
-  culling::BqrTree tree;  ///< leaf b is block b; tree.order is of no more use here
+  culling::BqrTree tree;  ///< of all layers; its blocks and objects are in the scene's order
   std::vector<BlockFrame> blocks;
   MeshLayer buildings;
   MeshLayer surfaces;  ///< streets, greens, water, bridges

@@ -2,11 +2,13 @@
 /// camera, time -> what is seen: the middle of the way of the data, once a frame.
 ///   VisibleSets sets(scene);                                  // reserves once; no allocation afterwards
 ///   find_visible(scene, view, Structure::bqr, sets);
-///   find_cars(scene, tick, Structure::bqr, sets);
+///   find_cars(scene, tick, sets);
+///   for (ObjectRun run : sets.objects()) draw(scene.trees.table.rows(run));
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "culling/frustum.h"
+#include "culling/cull.h"
 #include "scenegraph/scene.h"
 
 namespace manzana {
@@ -16,17 +18,20 @@ enum class Structure : std::uint8_t { bqr, none };
 
 struct VisibleSets {
   explicit VisibleSets(const Scene& scene);
+  /// Of the tree, rising, disjoint; LayerTable::rows makes a layer's rows of them.
+  std::span<const culling::ObjectRun> objects() const { return answer.objects(); }
+  /// In no order, disjoint.
+  std::span<const culling::LeafRun> blocks() const { return answer.blocks(); }
+
+  culling::Answer answer;
   culling::Frustum frustum;  ///< relative to the tree's origin
-  std::vector<culling::LeafRun> blocks;
-  std::vector<culling::ObjectRun> buildings, surfaces, trees;
   std::vector<CarState> cars;
-  culling::CullStats stats;
 };
 
 void find_visible(const Scene& scene, const culling::View& view, Structure structure, VisibleSets& sets);
 
 /// The cars on half-streets of the visible blocks; in blocks that cross the frustum, each is tested with a ball of
 /// kCarRadius. Call after find_visible.
-void find_cars(const Scene& scene, std::uint64_t tick, Structure structure, VisibleSets& sets);
+void find_cars(const Scene& scene, std::uint64_t tick, VisibleSets& sets);
 
 }  // namespace manzana

@@ -48,12 +48,12 @@ FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {
   Stopwatch watch;
   find_visible(stage.scene, seen_by, stage.structure, stage.sets);
   row.cull_us = watch.lap() * 1e6;
-  find_cars(stage.scene, ticks(seconds), stage.structure, stage.sets);
+  find_cars(stage.scene, ticks(seconds), stage.sets);
   row.update_us = watch.lap() * 1e6;
   const draw::FrameCounts counts = stage.renderer.draw(stage.scene, stage.sets, view, stage.options);
   if (stage.wait) glFinish();
   row.draw_ms = watch.lap() * 1e3;
-  row.blocks_visible = blocks_in(stage.sets.blocks);
+  row.blocks_visible = blocks_in(stage.sets.blocks());
   row.buildings_visible = counts.buildings;
   row.trees_visible = counts.trees;
   row.cars_visible = counts.cars;

@@ -27,10 +27,10 @@ double distance_to_segment(const Vec2d& p, const Vec2d& a, const Vec2d& b) {
 }  // namespace
 
 Obstacles::Obstacles(const Scene& scene) : scene_(scene), buildings_(kBuildingCell), trees_(kTreeCell) {
-  const culling::ObjectTable& t = scene.buildings.table;
+  const LayerTable& t = scene.buildings.table;
   const Vec2d origin(scene.tree.origin);
   for (std::uint32_t i = 0; i < t.size(); ++i)
-    buildings_.add(origin + Vec2d(t.box(i).min), origin + Vec2d(t.box(i).max), i);
+    buildings_.add(origin + Vec2d(t.boxes[i].min), origin + Vec2d(t.boxes[i].max), i);
   buildings_.finish();
   for (std::uint32_t i = 0; i < scene.trees.instances.size(); ++i) {
     const TreeInstance& tree = scene.trees.instances[i];
@@ -55,11 +55,11 @@ bool Obstacles::covers(std::uint32_t building, const Vec3d& local) const {
 bool Obstacles::inside_building(const Vec3d& point) const {
   const Vec3d local = from_ground(scene_.frame, point);
   const Vec3d p = local - scene_.tree.origin;
-  const culling::ObjectTable& t = scene_.buildings.table;
+  const LayerTable& t = scene_.buildings.table;
   bool inside = false;
   std::uint32_t last = ~0U;
   buildings_.visit(Vec2d(local), 0, [&](std::uint32_t i) {
-    const culling::Box box = t.box(i);
+    const culling::Box box = t.boxes[i];
     const auto in_box = [&] { return glm::clamp(p, Vec3d(box.min), Vec3d(box.max)) == p; };
     if (inside || i == last || !in_box()) return;
     last = i;
@@ -97,10 +97,10 @@ double Obstacles::buried_length(const Vec3d& from, const Vec3d& to) const {
 }
 
 double Obstacles::highest_roof(const Vec2d& a, const Vec2d& b, double radius) const {
-  const culling::ObjectTable& t = scene_.buildings.table;
+  const LayerTable& t = scene_.buildings.table;
   double highest = 0;
   for (std::uint32_t i = 0; i < t.size(); ++i) {
-    const culling::Box box = t.box(i);
+    const culling::Box box = t.boxes[i];
     const Vec3d top = scene_.tree.origin + Vec3d(Vec2d(box.min + box.max) / 2.0, box.max.z);
     if (distance_to_segment(Vec2d(top), a, b) < radius) highest = std::max(highest, to_ground(scene_.frame, top).z);
   }

@@ -19,18 +19,18 @@ struct Weighted {
   double weight = 0;
 };
 
-Weighted middle(const Scene& scene, const culling::ObjectTable& t, std::uint32_t i) {
-  const culling::Box box = t.box(i);
+Weighted middle(const Scene& scene, const LayerTable& t, std::uint32_t i) {
+  const culling::Box box = t.boxes[i];
   const Vec2d min(box.min), max(box.max);
   return {Vec2d(scene.tree.origin) + (min + max) / 2.0, (max.x - min.x) * (max.y - min.y)};
 }
 
 std::vector<Weighted> building_volumes(const Scene& scene) {
-  const culling::ObjectTable& t = scene.buildings.table;
+  const LayerTable& t = scene.buildings.table;
   std::vector<Weighted> out;
   for (std::uint32_t i = 0; i < t.size(); ++i) {
     out.push_back(middle(scene, t, i));
-    out.back().weight *= static_cast<double>(t.box(i).max.z - t.box(i).min.z);
+    out.back().weight *= static_cast<double>(t.boxes[i].max.z - t.boxes[i].min.z);
   }
   return out;
 }

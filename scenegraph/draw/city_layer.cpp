@@ -28,6 +28,15 @@ std::vector<CityVertex> with_lanes(const CityMesh& mesh) {
   return vertices;
 }
 
+/// From a row an object of the layer to a row an object of the tree, so that no run is looked up twice.
+std::vector<std::uint32_t> of_objects(const std::vector<std::uint32_t>& first,
+                                      std::span<const std::uint32_t> row_first) {
+  std::vector<std::uint32_t> result;
+  result.reserve(row_first.size());
+  for (const std::uint32_t row : row_first) result.push_back(first[row]);
+  return result;
+}
+
 gl::VertexArray make_vertex_array(GLuint vertices, GLuint indices) {
   GLuint name = 0;
   glCreateVertexArrays(1, &name);
@@ -135,11 +144,11 @@ Drawn make_commands(std::span<const std::uint32_t> first, std::span<const cullin
 }
 
 CityLayer::CityLayer(const MeshLayer& layer) {
-  PaintedIndices sorted = sort_by_paint(layer.mesh, layer.index_first);
+  const PaintedIndices sorted = sort_by_paint(layer.mesh, layer.index_first);
   const std::vector<CityVertex> laned = with_lanes(layer.mesh);
   vertices = gl::make_buffer(std::as_bytes(std::span(laned)));
   indices = gl::make_buffer(std::as_bytes(std::span(sorted.indices)));
-  first = std::move(sorted.first);
+  for (std::size_t p = 0; p < kPaints; ++p) first[p] = of_objects(sorted.first[p], layer.table.row_first);
   array = make_vertex_array(vertices.name(), indices.name());
 }
 
@@ -147,14 +156,14 @@ std::size_t stream_bytes(const CityLayer& layer, std::size_t runs) {
   return layer.first.size() * gl::StreamBuffer::padded(runs * sizeof(gl::DrawCommand));
 }
 
-Drawn draw_city(const CityLayer& layer, const PaintPrograms& paints, std::span<const culling::ObjectRun> runs,
+Drawn draw_city(const CityLayer& layer, const PaintPrograms& paints, std::span<const culling::ObjectRun> objects,
                 gl::StreamBuffer& stream) {
   Drawn drawn;
   glBindVertexArray(layer.array.name());
   for (std::size_t p = 0; p < kPaints; ++p) {
     if (layer.first[p].front() == layer.first[p].back()) continue;
-    const auto commands = stream.take<gl::DrawCommand>(runs.size());
-    const Drawn part = make_commands(layer.first[p], runs, commands.items);
+    const auto commands = stream.take<gl::DrawCommand>(objects.size());
+    const Drawn part = make_commands(layer.first[p], objects, commands.items);
     drawn.triangles += part.triangles;
     drawn.commands += part.commands;
     if (part.commands == 0) continue;

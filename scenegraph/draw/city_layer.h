@@ -2,13 +2,12 @@
 /// Buildings and surfaces on the GPU. A layer's indices are kept once for each way of painting, in the order of the
 /// objects, so that a run of objects is one command for each paint and each shader is short: software devices run both
 /// sides of every branch.
-///   CityLayer layer(scene.buildings.mesh, scene.buildings.index_first);
-///   draw_city(layer, paints, runs, stream);
+///   CityLayer layer(scene.buildings);
+///   draw_city(layer, paints, objects, stream);
 #include <array>
 #include <span>
 #include <vector>
 
-#include "culling/object_table.h"
 #include "gl/buffer.h"
 #include "gl/program.h"
 #include "scenegraph/draw/instances.h"
@@ -43,11 +42,12 @@ struct CityLayer {
   explicit CityLayer(const MeshLayer& layer);
   gl::VertexArray array;
   gl::Buffer vertices, indices;
-  std::array<std::vector<std::uint32_t>, kPaints> first;
+  std::array<std::vector<std::uint32_t>, kPaints> first;  ///< a row an object of the tree, and one more
 };
 
 std::size_t stream_bytes(const CityLayer& layer, std::size_t runs);
-Drawn draw_city(const CityLayer& layer, const PaintPrograms& paints, std::span<const culling::ObjectRun> runs,
+/// `objects`: runs of the tree's.
+Drawn draw_city(const CityLayer& layer, const PaintPrograms& paints, std::span<const culling::ObjectRun> objects,
                 gl::StreamBuffer& stream);
 
 }  // namespace manzana::draw

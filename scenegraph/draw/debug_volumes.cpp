@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "culling/overlap.h"
 #include "manzana_draw_shaders.h"
 
 namespace manzana::draw {
@@ -63,33 +64,33 @@ void add_pyramid(Lines& lines, const culling::View& view, const Vec3d& eye) {
   }
 }
 
+/// What a query would come to from this node on. `origin`: the tree's, relative to the eye.
+void add_lanes(Lines& lines, const culling::BqrTree& tree, std::uint32_t at, const culling::Frustum& frustum,
+               const Vec3d& origin) {
+  using culling::Overlap;
+  const culling::BqrNode& node = tree.nodes[at];
+  for (std::uint32_t i = 0; i < culling::kLanes; ++i) {
+    if ((node.lanes >> i & 1) == 0) continue;
+    const culling::SphereD ball = lane_sphere(node, i);
+    const culling::BoxD box = lane_box(node, i);
+    const Overlap where = overlap(frustum, narrow(ball, Vec3d(0)), narrow(box, Vec3d(0)));
+    if (where == Overlap::outside) continue;
+    if ((node.blocks >> i & 1) != 0) {
+      add_box(lines, origin + box.min, origin + box.max, where == Overlap::inside ? kInside : kCrossing);
+      continue;
+    }
+    add_circles(lines, origin + ball.center, ball.radius, depth_colour(node.depth));
+    add_box(lines, origin + box.min, origin + box.max, depth_colour(node.depth));
+    add_lanes(lines, tree, node.child[i], frustum, origin);
+  }
+}
+
 }  // namespace
 
 std::vector<LineVertex> volume_lines(const culling::BqrTree& tree, const culling::View& frozen, const Vec3d& eye) {
-  using culling::Overlap;
   const culling::Frustum frustum = culling::narrow(culling::make_frustum(frozen), tree.origin);
-  const Vec3d origin = tree.origin - eye;
   Lines lines;
-  for (std::uint32_t i = 0; i < tree.nodes.size();) {
-    const culling::BqrNode& node = tree.nodes[i];
-    const Overlap where =
-        node.leaf() ? overlap(frustum, node.bounds, tree.leaf_boxes[node.first]) : overlap(frustum, node.bounds);
-    if (where == Overlap::outside) {
-      i = node.skip;
-      continue;
-    }
-    if (node.leaf()) {
-      const culling::Box& box = tree.leaf_boxes[node.first];
-      if (!box.empty()) {
-        add_box(lines, origin + Vec3d(box.min), origin + Vec3d(box.max),
-                where == Overlap::inside ? kInside : kCrossing);
-      }
-    } else if (!node.bounds.empty()) {
-      add_circles(lines, origin + Vec3d(node.bounds.center), static_cast<double>(node.bounds.radius),
-                  depth_colour(node.depth));
-    }
-    ++i;
-  }
+  if (!tree.nodes.empty()) add_lanes(lines, tree, tree.root, frustum, tree.origin - eye);
   add_pyramid(lines, frozen, eye);
   return lines;
 }

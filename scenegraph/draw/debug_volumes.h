@@ -1,9 +1,11 @@
 #pragma once
-/// The tree's volumes as lines: what a frozen frustum sees, looked at from elsewhere. Inner nodes: three circles each,
-/// coloured by depth; leaves that are not outside: boxes; and the frozen pyramid. Only for looking: allocates.
+/// The tree's volumes as lines: what a frozen frustum sees, looked at from elsewhere. Of the lanes that are not
+/// outside: three circles and a box each, coloured by depth, where a lane is a node; a box where it is a block,
+/// coloured by whether it is inside; and the frozen pyramid. Only for looking: allocates.
 #include <vector>
 
 #include "culling/bqr_tree.h"
+#include "culling/frustum.h"
 #include "gl/buffer.h"
 #include "gl/program.h"
 

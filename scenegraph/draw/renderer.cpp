@@ -77,7 +77,7 @@ struct Renderer::State {
 std::size_t Renderer::State::bytes_of_frame(const VisibleSets& sets) const {
   using gl::StreamBuffer;
   return StreamBuffer::padded(sizeof(FrameData)) + StreamBuffer::padded((rows.size() + 1) * sizeof(Rows)) +
-         stream_bytes(buildings, sets.buildings.size()) + stream_bytes(surfaces, sets.surfaces.size()) +
+         stream_bytes(buildings, sets.objects().size()) + stream_bytes(surfaces, sets.objects().size()) +
          stream_bytes(trees.meshes, trees.selection.bins.total()) + stream_bytes(cars.meshes, sets.cars.size());
 }
 
@@ -85,7 +85,7 @@ void Renderer::State::upload_frame(const VisibleSets& sets, const FrameData& fra
   const auto uniforms = stream.take<FrameData>(1);
   *uniforms.items = frame;
   const auto blocks = stream.take<Rows>(rows.size() + 1);
-  for (const culling::LeafRun& run : sets.blocks) {
+  for (const culling::LeafRun& run : sets.blocks()) {
     std::copy(rows.begin() + run.first, rows.begin() + run.last, blocks.items + run.first);
   }
   glBindBufferRange(GL_UNIFORM_BUFFER, kFrameBinding, stream.name(), uniforms.offset, sizeof(FrameData));
@@ -99,8 +99,8 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
                                   const Layers& layers, FrameCounts& counts) {
   glEnable(GL_CULL_FACE);
   if (layers.buildings) {
-    counts.buildings = culling::count(sets.buildings);
-    add(counts, draw_city(buildings, paints, sets.buildings, stream));
+    counts.buildings = count(scene.buildings.table, sets.objects());
+    add(counts, draw_city(buildings, paints, sets.objects(), stream));
   }
   if (layers.cars) {
     counts.cars = sets.cars.size();
@@ -108,12 +108,12 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
   }
   glDisable(GL_CULL_FACE);
   if (layers.trees) {
-    counts.trees = culling::count(sets.trees);
-    add(counts, draw_trees(trees, scene.trees.instances, sets.trees, rows, stream, target.samples > 1));
+    counts.trees = count(scene.trees.table, sets.objects());
+    add(counts, draw_trees(trees, scene.trees, sets.objects(), rows, stream, target.samples > 1));
   }
   if (layers.surfaces) {
-    counts.surfaces = culling::count(sets.surfaces);
-    add(counts, draw_city(surfaces, paints, sets.surfaces, stream));
+    counts.surfaces = count(scene.surfaces.table, sets.objects());
+    add(counts, draw_city(surfaces, paints, sets.objects(), stream));
   }
   if (quality.shadows && layers.surfaces) {
     if (layers.trees) add(counts, draw_shadows(shadows.tree, trees.meshes, trees.selection.bins));
@@ -140,10 +140,10 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const cu
   assert(scene.blocks.size() == s.rows.size());
   const FrameData frame = make_frame(scene.frame, view, options, s.anchor);
   const double focal_px = s.target.height / (view.tan_top - view.tan_bottom);
-  for (const culling::LeafRun& run : sets.blocks) {
+  for (const culling::LeafRun& run : sets.blocks()) {
     for (std::uint32_t b = run.first; b < run.last; ++b) s.rows[b] = relative_to(view.eye, scene.blocks[b]);
   }
-  count_trees(scene.trees.instances, sets.trees, s.rows, focal_px * s.quality.tree_detail, s.trees.selection);
+  count_trees(scene.trees, sets.objects(), s.rows, focal_px * s.quality.tree_detail, s.trees.selection);
   count_cars(sets.cars, view.eye, focal_px * s.quality.car_detail, s.cars);
 
   s.stream.begin(s.bytes_of_frame(sets));

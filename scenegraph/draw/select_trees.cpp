@@ -44,28 +44,32 @@ TreeSelection::TreeSelection(std::size_t trees, std::span<const foliage::PlantMo
   mesh_of.reserve(trees);
 }
 
-void count_trees(std::span<const TreeInstance> trees, std::span<const culling::ObjectRun> runs,
-                 std::span<const Rows> blocks, double focal_px, TreeSelection& selection) {
+void count_trees(const TreeLayer& trees, std::span<const culling::ObjectRun> objects, std::span<const Rows> blocks,
+                 double focal_px, TreeSelection& selection) {
   selection.bins.clear();
   selection.mesh_of.clear();
-  for (const culling::ObjectRun& run : runs) {
-    for (std::uint32_t i = run.first; i < run.last; ++i) {
-      const auto kind = static_cast<std::size_t>(trees[i].kind);
+  for (const culling::ObjectRun& run : objects) {
+    const auto [first, last] = trees.table.rows(run);
+    for (std::uint32_t i = first; i < last; ++i) {
+      const TreeInstance& tree = trees.instances[i];
+      const auto kind = static_cast<std::size_t>(tree.kind);
       const std::size_t mesh =
-          selection.first_mesh[kind] + level_of(trees[i], blocks[trees[i].block], focal_px, selection.models[kind]);
+          selection.first_mesh[kind] + level_of(tree, blocks[tree.block], focal_px, selection.models[kind]);
       selection.mesh_of.push_back(static_cast<std::uint16_t>(mesh));
       ++selection.bins.count[mesh];
     }
   }
 }
 
-void place_trees(std::span<const TreeInstance> trees, std::span<const culling::ObjectRun> runs,
-                 std::span<const Rows> blocks, TreeSelection& selection, Instance* slots) {
+void place_trees(const TreeLayer& trees, std::span<const culling::ObjectRun> objects, std::span<const Rows> blocks,
+                 TreeSelection& selection, Instance* slots) {
   selection.bins.start();
   auto mesh = selection.mesh_of.begin();
-  for (const culling::ObjectRun& run : runs) {
-    for (std::uint32_t i = run.first; i < run.last; ++i) {
-      slots[selection.bins.next[*mesh++]++] = place(trees[i], blocks[trees[i].block]);
+  for (const culling::ObjectRun& run : objects) {
+    const auto [first, last] = trees.table.rows(run);
+    for (std::uint32_t i = first; i < last; ++i) {
+      const TreeInstance& tree = trees.instances[i];
+      slots[selection.bins.next[*mesh++]++] = place(tree, blocks[tree.block]);
     }
   }
 }

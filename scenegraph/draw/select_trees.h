@@ -1,12 +1,11 @@
 #pragma once
 /// Which level each visible tree is drawn with, and where: what later work replaces. Cost: visible trees only.
 ///   TreeSelection selection(instances.size(), models);
-///   count_trees(instances, runs, blocks, pixels, selection);      // chooses
-///   place_trees(instances, runs, blocks, selection, slots);       // writes, sorted by model and level
+///   count_trees(scene.trees, objects, blocks, pixels, selection); // chooses
+///   place_trees(scene.trees, objects, blocks, selection, slots);  // writes, sorted by model and level
 #include <span>
 #include <vector>
 
-#include "culling/object_table.h"
 #include "foliage/plant.h"
 #include "scenegraph/draw/instances.h"
 #include "scenegraph/scene.h"
@@ -22,10 +21,11 @@ struct TreeSelection {
   std::vector<std::uint16_t> mesh_of;  ///< of each visible tree, in the order of the runs
 };
 
-/// `blocks`: relative to the eye, valid for visible blocks. `focal_px`: culling::projected_radius's, times the detail.
-void count_trees(std::span<const TreeInstance> trees, std::span<const culling::ObjectRun> runs,
-                 std::span<const Rows> blocks, double focal_px, TreeSelection& selection);
-void place_trees(std::span<const TreeInstance> trees, std::span<const culling::ObjectRun> runs,
-                 std::span<const Rows> blocks, TreeSelection& selection, Instance* slots);
+/// `objects`: runs of the tree's. `blocks`: relative to the eye, valid for visible blocks. `focal_px`:
+/// culling::projected_radius's, times the detail.
+void count_trees(const TreeLayer& trees, std::span<const culling::ObjectRun> objects, std::span<const Rows> blocks,
+                 double focal_px, TreeSelection& selection);
+void place_trees(const TreeLayer& trees, std::span<const culling::ObjectRun> objects, std::span<const Rows> blocks,
+                 TreeSelection& selection, Instance* slots);
 
 }  // namespace manzana::draw

@@ -94,10 +94,10 @@ TreeLayerGpu::TreeLayerGpu(std::size_t trees, std::span<const foliage::PlantMode
   glProgramUniform1f(program.name(), 0, quality.samples > 1 ? 1.0F : 0.0F);
 }
 
-Drawn draw_trees(TreeLayerGpu& layer, std::span<const TreeInstance> trees, std::span<const culling::ObjectRun> runs,
+Drawn draw_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const culling::ObjectRun> objects,
                  std::span<const Rows> blocks, gl::StreamBuffer& stream, bool alpha_to_coverage) {
   const auto instances = stream.take<Instance>(layer.selection.bins.total());
-  place_trees(trees, runs, blocks, layer.selection, instances.items);
+  place_trees(trees, objects, blocks, layer.selection, instances.items);
   glUseProgram(layer.program.name());
   glBindTextureUnit(0, layer.textures.name());
   if (alpha_to_coverage) glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);

@@ -14,7 +14,7 @@ struct TreeLayerGpu {
   gl::Program program;
 };
 
-Drawn draw_trees(TreeLayerGpu& layer, std::span<const TreeInstance> trees, std::span<const culling::ObjectRun> runs,
+Drawn draw_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const culling::ObjectRun> objects,
                  std::span<const Rows> blocks, gl::StreamBuffer& stream, bool alpha_to_coverage);
 
 }  // namespace manzana::draw

@@ -32,8 +32,11 @@ class Builder {
     plan();
     drive();
     make_meshes();
-    const std::vector<std::uint32_t> new_of_old = make_tree();
-    store(new_of_old);
+    drop_empty();
+    const SceneObjects objects = gather();
+    OrderedTree built = build_tree(block_volumes(), objects);
+    store(built, objects);
+    scene_.tree = std::move(built.tree);
     tell(1);
     Imported result{std::move(scene_), std::move(f_.issues), report_};
     result.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -134,9 +137,23 @@ class Builder {
     }
   }
 
-  // Blocks' volumes from their content, then the tree. Returns the new number of each block.
-  std::vector<std::uint32_t> make_tree() {
+  void drop_empty() {
     tell(0.95);
+    const auto empty = [](const MeshObject& object) { return object.mesh.indices.empty(); };
+    std::erase_if(buildings_, empty);
+    std::erase_if(surfaces_, empty);
+  }
+
+  // Numbered in this order: buildings, surfaces, trees.
+  SceneObjects gather() const {
+    SceneObjects objects;
+    for (const MeshObject& object : buildings_) objects.add(object.block, object.box, kBuilding);
+    for (const MeshObject& object : surfaces_) objects.add(object.block, object.box, kSurface);
+    for (const TreeObject& object : trees_) objects.add(object.instance.block, object.box, kTree);
+    return objects;
+  }
+
+  std::vector<culling::BlockVolume> block_volumes() const {
     std::vector<BlockContent> content(plan_.blocks.size());
     for (const MeshObject& object : buildings_) content[object.block].add(object.box);
     for (const MeshObject& object : surfaces_) content[object.block].add(object.box);
@@ -145,41 +162,41 @@ class Builder {
       content[scene_.traffic.halves[half].block].add(half_street_bounds(scene_.traffic, half));
     std::vector<culling::BlockVolume> volumes;
     volumes.reserve(content.size());
-    for (std::size_t b = 0; b < content.size(); ++b) {
-      const Vec2d center = plan_.blocks[b].center;
-      volumes.push_back(content[b].volume(center, frames_[b].origin));
-    }
-    scene_.tree = culling::build_bqr_tree(volumes);
-    std::vector<std::uint32_t> new_of_old(volumes.size());
-    for (std::uint32_t leaf = 0; leaf < scene_.tree.order.size(); ++leaf) new_of_old[scene_.tree.order[leaf]] = leaf;
-    return new_of_old;
+    for (std::size_t b = 0; b < content.size(); ++b)
+      volumes.push_back(content[b].volume(plan_.blocks[b].center, frames_[b].origin));
+    for (const HalfStreet& half : scene_.traffic.halves) volumes[half.block].classes = kCar;
+    return volumes;
   }
 
-  void store(const std::vector<std::uint32_t>& new_of_old) {
+  void store(const OrderedTree& built, const SceneObjects& objects) {
     tell(0.97);
     const auto blocks = static_cast<std::uint32_t>(frames_.size());
-    scene_.blocks.resize(blocks);
-    for (std::uint32_t old = 0; old < blocks; ++old) scene_.blocks[new_of_old[old]] = frames_[old];
+    std::vector<std::uint32_t> new_of_old(blocks);
+    for (std::uint32_t b = 0; b < blocks; ++b) {
+      scene_.blocks.push_back(frames_[built.tree.order[b]]);
+      new_of_old[built.tree.order[b]] = b;
+    }
     count(blocks);
+    for (const culling::BoxD& box : objects.boxes) scene_.bounds = merge(scene_.bounds, box);
     for (MeshObject& object : buildings_) object.block = new_of_old[object.block];
     for (MeshObject& object : surfaces_) object.block = new_of_old[object.block];
     for (TreeObject& object : trees_) object.instance.block = new_of_old[object.instance.block];
     reorder_blocks(scene_.traffic, new_of_old);
-    scene_.buildings = make_layer(std::move(buildings_), blocks, scene_.tree.origin);
-    scene_.surfaces = make_layer(std::move(surfaces_), blocks, scene_.tree.origin);
-    for (const TreeObject& tree : trees_) scene_.bounds = merge(scene_.bounds, tree.box);
-    scene_.trees = make_layer(std::move(trees_), blocks, scene_.tree.origin);
+    const auto surfaces = static_cast<std::uint32_t>(buildings_.size()),
+               trees = static_cast<std::uint32_t>(surfaces + surfaces_.size());
+    const auto table = [&](ObjectClass kind) { return make_table(built, objects, kind); };
+    scene_.buildings = make_layer(table(kBuilding), numbers_of(built, kBuilding), 0, std::move(buildings_));
+    scene_.surfaces = make_layer(table(kSurface), numbers_of(built, kSurface), surfaces, std::move(surfaces_));
+    scene_.trees = make_layer(table(kTree), numbers_of(built, kTree), trees, trees_);
     scene_.attribution = std::move(f_.attribution);
   }
 
   // Objects a block, before anything is moved away.
   void count(std::uint32_t blocks) {
     std::vector<std::size_t> objects(blocks, 0);
-    for (const MeshObject& object : buildings_) objects[object.block] += object.box.empty() ? 0 : 1;
-    for (const MeshObject& object : surfaces_) objects[object.block] += object.box.empty() ? 0 : 1;
+    for (const MeshObject& object : buildings_) ++objects[object.block];
+    for (const MeshObject& object : surfaces_) ++objects[object.block];
     for (const TreeObject& object : trees_) ++objects[object.instance.block];
-    for (const auto* layer : {&buildings_, &surfaces_})
-      for (const MeshObject& object : *layer) scene_.bounds = merge(scene_.bounds, object.box);
     report_.blocks = blocks;
     report_.objects = std::accumulate(objects.begin(), objects.end(), std::size_t{0});
     for (std::size_t b = 0; b < blocks; ++b) {

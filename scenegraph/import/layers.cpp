@@ -12,13 +12,6 @@ using culling::BoxD;
 // A float scaled by (r, r, h) on the GPU may come out some units in the last place larger.
 constexpr double kTreeSlack = 1 + 1e-5;
 
-std::vector<std::uint32_t> first_of_blocks(std::span<const std::uint32_t> sorted_blocks, std::uint32_t blocks) {
-  std::vector<std::uint32_t> first(blocks + 1, 0);
-  for (const std::uint32_t block : sorted_blocks) ++first[block + 1];
-  for (std::uint32_t b = 0; b < blocks; ++b) first[b + 1] += first[b];
-  return first;
-}
-
 void append(MeshLayer& layer, const MeshObject& object) {
   const std::size_t base = layer.mesh.vertices.size();
   if (base + object.mesh.vertices.size() > std::numeric_limits<std::uint32_t>::max() ||
@@ -71,35 +64,23 @@ culling::BlockVolume BlockContent::volume(const Vec2d& center, const Vec3d& grou
   return {center, box_, round_balls.radius < round_box.radius ? round_balls : round_box};
 }
 
-MeshLayer make_layer(std::vector<MeshObject> objects, std::uint32_t blocks, const Vec3d& origin) {
-  std::erase_if(objects, [](const MeshObject& o) { return o.mesh.indices.empty(); });
-  std::stable_sort(objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.block < b.block; });
+MeshLayer make_layer(LayerTable table, std::span<const std::uint32_t> numbers, std::uint32_t from,
+                     std::vector<MeshObject> objects) {
   MeshLayer layer;
+  layer.table = std::move(table);
   layer.index_first.push_back(0);
-  std::vector<BoxD> boxes;
-  std::vector<std::uint32_t> block_of;
-  for (MeshObject& object : objects) {
-    append(layer, object);
-    boxes.push_back(object.box);
-    block_of.push_back(object.block);
-    object.mesh = {};
+  for (const std::uint32_t number : numbers) {
+    append(layer, objects[number - from]);
+    objects[number - from].mesh = {};
   }
-  layer.table = build_object_table(origin, boxes, first_of_blocks(block_of, blocks));
   return layer;
 }
 
-TreeLayer make_layer(std::vector<TreeObject> objects, std::uint32_t blocks, const Vec3d& origin) {
-  std::stable_sort(objects.begin(), objects.end(),
-                   [](const auto& a, const auto& b) { return a.instance.block < b.instance.block; });
+TreeLayer make_layer(LayerTable table, std::span<const std::uint32_t> numbers, std::uint32_t from,
+                     const std::vector<TreeObject>& objects) {
   TreeLayer layer;
-  std::vector<BoxD> boxes;
-  std::vector<std::uint32_t> block_of;
-  for (const TreeObject& object : objects) {
-    layer.instances.push_back(object.instance);
-    boxes.push_back(object.box);
-    block_of.push_back(object.instance.block);
-  }
-  layer.table = build_object_table(origin, boxes, first_of_blocks(block_of, blocks));
+  layer.table = std::move(table);
+  for (const std::uint32_t number : numbers) layer.instances.push_back(objects[number - from].instance);
   return layer;
 }
 

@@ -38,8 +38,11 @@ class BlockContent {
   std::vector<culling::SphereD> balls_;
 };
 
-/// Sorts by block, drops objects without triangles, joins the meshes. Keeps the order within a block.
-MeshLayer make_layer(std::vector<MeshObject> objects, std::uint32_t blocks, const Vec3d& origin);
-TreeLayer make_layer(std::vector<TreeObject> objects, std::uint32_t blocks, const Vec3d& origin);
+/// The objects of those numbers, in this order, those of a mesh layer joined; `from` is the number of objects[0].
+/// Blocks as the objects have them by now.
+MeshLayer make_layer(LayerTable table, std::span<const std::uint32_t> numbers, std::uint32_t from,
+                     std::vector<MeshObject> objects);
+TreeLayer make_layer(LayerTable table, std::span<const std::uint32_t> numbers, std::uint32_t from,
+                     const std::vector<TreeObject>& objects);
 
 }  // namespace manzana

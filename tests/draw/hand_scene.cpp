@@ -32,35 +32,51 @@ void append(MeshLayer& layer, const HandMesh& mesh, std::uint32_t block) {
   layer.index_first.push_back(static_cast<std::uint32_t>(layer.mesh.indices.size()));
 }
 
-MeshLayer make_layer(const std::vector<HandBlock>& blocks, const Scene& scene, std::vector<HandMesh> HandBlock::*part) {
-  MeshLayer layer;
-  layer.index_first.push_back(0);
-  std::vector<culling::BoxD> boxes;
-  std::vector<std::uint32_t> first{0};
-  for (std::uint32_t b = 0; b < scene.blocks.size(); ++b) {
-    for (const HandMesh& mesh : blocks[scene.tree.order[b]].*part) {
-      append(layer, mesh, b);
-      boxes.push_back(box_of(mesh, scene.blocks[b]));
+/// An object's number is its place in `meshes` or, after all of those, in `trees`.
+struct Loose {
+  std::vector<const HandMesh*> meshes;
+  std::vector<const TreeInstance*> trees;
+  SceneObjects objects;
+};
+
+Loose gather(const std::vector<HandBlock>& blocks, const std::vector<BlockFrame>& frames) {
+  Loose loose;
+  const auto add = [&](std::uint32_t b, const std::vector<HandMesh>& meshes, ObjectClass kind) {
+    for (const HandMesh& mesh : meshes) {
+      loose.meshes.push_back(&mesh);
+      loose.objects.add(b, box_of(mesh, frames[b]), kind);
     }
-    first.push_back(static_cast<std::uint32_t>(boxes.size()));
+  };
+  for (std::uint32_t b = 0; b < blocks.size(); ++b) {
+    add(b, blocks[b].buildings, kBuilding);
+    add(b, blocks[b].surfaces, kSurface);
   }
-  layer.table = culling::build_object_table(scene.tree.origin, boxes, first);
+  for (std::uint32_t b = 0; b < blocks.size(); ++b) {
+    for (const TreeInstance& tree : blocks[b].trees) {
+      loose.trees.push_back(&tree);
+      loose.objects.add(b, box_of(tree, frames[b]), kTree);
+    }
+  }
+  return loose;
+}
+
+MeshLayer make_layer(const OrderedTree& built, const Loose& loose, std::span<const std::uint32_t> new_of_old,
+                     ObjectClass kind) {
+  MeshLayer layer;
+  layer.table = make_table(built, loose.objects, kind);
+  layer.index_first.push_back(0);
+  for (const std::uint32_t i : numbers_of(built, kind))
+    append(layer, *loose.meshes[i], new_of_old[loose.objects.blocks[i]]);
   return layer;
 }
 
-TreeLayer make_trees(const std::vector<HandBlock>& blocks, const Scene& scene) {
+TreeLayer make_trees(const OrderedTree& built, const Loose& loose, std::span<const std::uint32_t> new_of_old) {
   TreeLayer layer;
-  std::vector<culling::BoxD> boxes;
-  std::vector<std::uint32_t> first{0};
-  for (std::uint32_t b = 0; b < scene.blocks.size(); ++b) {
-    for (TreeInstance tree : blocks[scene.tree.order[b]].trees) {
-      tree.block = b;
-      layer.instances.push_back(tree);
-      boxes.push_back(box_of(tree, scene.blocks[b]));
-    }
-    first.push_back(static_cast<std::uint32_t>(boxes.size()));
+  layer.table = make_table(built, loose.objects, kTree);
+  for (const std::uint32_t i : numbers_of(built, kTree)) {
+    layer.instances.push_back(*loose.trees[i - loose.meshes.size()]);
+    layer.instances.back().block = new_of_old[loose.objects.blocks[i]];
   }
-  layer.table = culling::build_object_table(scene.tree.origin, boxes, first);
   return layer;
 }
 
@@ -147,13 +163,23 @@ HandMesh make_level(const Vec3& middle, const Vec2& size, std::uint32_t rgb, Mat
 Scene make_scene(const std::vector<HandBlock>& blocks, const GeoPoint& anchor) {
   Scene scene;
   scene.frame = LocalFrame(anchor);
+  std::vector<BlockFrame> frames;
   std::vector<culling::BlockVolume> volumes;
-  for (const HandBlock& block : blocks) volumes.push_back(volume_of(block, block_frame(scene.frame, block.plan)));
-  scene.tree = culling::build_bqr_tree(volumes);
-  for (const std::uint32_t i : scene.tree.order) scene.blocks.push_back(block_frame(scene.frame, blocks[i].plan));
-  scene.buildings = make_layer(blocks, scene, &HandBlock::buildings);
-  scene.surfaces = make_layer(blocks, scene, &HandBlock::surfaces);
-  scene.trees = make_trees(blocks, scene);
+  for (const HandBlock& block : blocks) {
+    frames.push_back(block_frame(scene.frame, block.plan));
+    volumes.push_back(volume_of(block, frames.back()));
+  }
+  const Loose loose = gather(blocks, frames);
+  OrderedTree built = build_tree(volumes, loose.objects);
+  std::vector<std::uint32_t> new_of_old(blocks.size());
+  for (std::uint32_t b = 0; b < blocks.size(); ++b) {
+    scene.blocks.push_back(frames[built.tree.order[b]]);
+    new_of_old[built.tree.order[b]] = b;
+  }
+  scene.buildings = make_layer(built, loose, new_of_old, kBuilding);
+  scene.surfaces = make_layer(built, loose, new_of_old, kSurface);
+  scene.trees = make_trees(built, loose, new_of_old);
+  scene.tree = std::move(built.tree);
   scene.traffic.halves.emplace_back();
   scene.traffic.block_first.assign(blocks.size() + 1, 0);
   for (const culling::BlockVolume& volume : volumes) {

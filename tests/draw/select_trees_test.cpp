@@ -32,9 +32,9 @@ TEST_CASE("every visible tree is placed once, in the bin of its kind and level")
   const std::vector<culling::ObjectRun> runs{{3, 50}, {50, 51}, {200, 500}};
   TreeSelection selection(500, plants);
   constexpr double kFocal = 900;
-  count_trees(scene.trees.instances, runs, rows, kFocal, selection);
+  count_trees(scene.trees, runs, rows, kFocal, selection);
   std::vector<Instance> slots(selection.bins.total());
-  place_trees(scene.trees.instances, runs, rows, selection, slots.data());
+  place_trees(scene.trees, runs, rows, selection, slots.data());
   REQUIRE(slots.size() == culling::count(runs));
 
   std::size_t at = 0;
@@ -70,9 +70,9 @@ TEST_CASE("a tree is scaled, turned and stood on its foot") {
   const std::vector<Rows> rows{relative_to(scene.blocks[0].origin, scene.blocks[0])};
   const std::vector<culling::ObjectRun> runs{{0, 1}};
   TreeSelection selection(1, plants);
-  count_trees(scene.trees.instances, runs, rows, 900, selection);
+  count_trees(scene.trees, runs, rows, 900, selection);
   Instance slot;
-  place_trees(scene.trees.instances, runs, rows, selection, &slot);
+  place_trees(scene.trees, runs, rows, selection, &slot);
   CHECK(glm::distance(placed(slot.rows, {1, 0, 0}), Vec3(10, 22, 0)) < 1e-5F);
   CHECK(glm::distance(placed(slot.rows, {0, 0, 1}), Vec3(10, 20, 8)) < 1e-5F);
 }

@@ -155,11 +155,11 @@ TEST_CASE("built-in paths: real cities have both, outside of buildings while wal
 TEST_CASE("obstacles: a building's box corner is not its inside, its middle is, nothing is inside above the roof") {
   const Scene& scene = town();
   const Obstacles obstacles(scene);
-  const culling::ObjectTable& t = scene.buildings.table;
+  const LayerTable& t = scene.buildings.table;
   int middles = 0;
   for (std::uint32_t i = 0; i < t.size(); i += 50) {
-    const Vec3d min = scene.tree.origin + Vec3d(t.box(i).min);
-    const Vec3d max = scene.tree.origin + Vec3d(t.box(i).max);
+    const Vec3d min = scene.tree.origin + Vec3d(t.boxes[i].min);
+    const Vec3d max = scene.tree.origin + Vec3d(t.boxes[i].max);
     const Vec3d middle = to_ground(scene.frame, Vec3d(Vec2d(min + max) / 2.0, min.z + 1));
     middles += obstacles.inside_building(middle) ? 1 : 0;
     CHECK_FALSE(obstacles.inside_building(middle + Vec3d(0, 0, max.z - min.z + 1)));

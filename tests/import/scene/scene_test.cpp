@@ -18,11 +18,11 @@ const Imported& town() {
   return city;
 }
 
-// Tells once more what a layer promises: columns of the right length, objects sorted by block, runs of indices in
-// order.
+// Tells once more what a layer promises: columns of the right length, runs of indices in order.
 void check_layer(const Scene& scene, const MeshLayer& layer) {
-  REQUIRE(layer.table.first.size() == scene.blocks.size() + 1);
-  REQUIRE(layer.index_first.size() == layer.table.size() + 1);
+  REQUIRE(layer.table.row_first.size() == scene.tree.objects() + std::size_t{1});
+  REQUIRE(layer.table.row_first.back() == layer.table.size());
+  REQUIRE(layer.index_first.size() == layer.table.size() + std::size_t{1});
   REQUIRE(layer.index_first.back() == layer.mesh.indices.size());
   CHECK(std::is_sorted(layer.index_first.begin(), layer.index_first.end()));
   CHECK(*std::max_element(layer.mesh.indices.begin(), layer.mesh.indices.end()) < layer.mesh.vertices.size());
@@ -30,33 +30,38 @@ void check_layer(const Scene& scene, const MeshLayer& layer) {
 
 using Point = glm::vec<3, long double>;
 
-bool holds(const culling::Sphere& s, const Point& p) {
+bool holds(const culling::SphereD& s, const Point& p) {
   return glm::length(p - Point(s.center)) <= static_cast<long double>(s.radius);
 }
-bool holds(const culling::Box& b, const Point& p) {
+template <class AnyBox>
+bool holds(const AnyBox& b, const Point& p) {
   return glm::all(glm::lessThanEqual(Point(b.min), p)) && glm::all(glm::lessThanEqual(p, Point(b.max)));
 }
 
-// Every ancestor's sphere, the leaf's box and the object's box hold the point, relative to the tree's origin.
-int violations(const Scene& scene, const culling::ObjectTable& table, std::uint32_t block, std::uint32_t object,
-               const Point& p) {
-  int wrong = holds(table.box(object), p) && holds(scene.tree.leaf_boxes[block], p) ? 0 : 1;
-  for (const culling::BqrNode& node : scene.tree.nodes)
-    if (block >= node.first && block < node.last && !holds(node.bounds, p)) ++wrong;
+// Both volumes of every lane above the block hold the point, relative to the tree's origin.
+int violations(const culling::BqrTree& tree, std::uint32_t block, const Point& p) {
+  int wrong = 0;
+  for (const culling::BqrNode& node : tree.nodes)
+    for (std::uint32_t i = 0; i < culling::kLanes; ++i)
+      if ((node.lanes >> i & 1) != 0 && block >= node.first_block[i] && block < node.last_block[i])
+        wrong += holds(lane_sphere(node, i), p) && holds(lane_box(node, i), p) ? 0 : 1;
   return wrong;
 }
 
 int violations(const Scene& scene, const MeshLayer& layer) {
   int wrong = 0;
-  for (std::uint32_t block = 0; block < scene.blocks.size(); ++block)
-    for (std::uint32_t object = layer.table.first[block]; object < layer.table.first[block + 1]; ++object)
-      for (std::uint32_t k = layer.index_first[object]; k < layer.index_first[object + 1]; ++k) {
+  for (std::uint32_t block = 0; block < scene.blocks.size(); ++block) {
+    const culling::ObjectRun rows = layer.table.rows(scene.tree.block_objects[block]);
+    for (std::uint32_t row = rows.first; row < rows.last; ++row)
+      for (std::uint32_t k = layer.index_first[row]; k < layer.index_first[row + 1]; ++k) {
         const CityVertex& v = layer.mesh.vertices[layer.mesh.indices[k]];
         wrong += v.block == block ? 0 : 1;
         const BlockFrame& frame = scene.blocks[block];
         const Point local = Point(frame.origin) + glm::mat<3, 3, long double>(frame.axes) * Point(v.position);
-        wrong += violations(scene, layer.table, block, object, local - Point(scene.tree.origin));
+        const Point p = local - Point(scene.tree.origin);
+        wrong += (holds(layer.table.boxes[row], p) ? 0 : 1) + violations(scene.tree, block, p);
       }
+  }
   return wrong;
 }
 
@@ -69,23 +74,29 @@ culling::View random_view(const Scene& scene, support::Random& random) {
                        16.0 / 9.0);
 }
 
-std::set<std::uint32_t> members(const std::vector<culling::ObjectRun>& runs) {
+// Rows of a layer, no run empty or before the one that it follows.
+std::set<std::uint32_t> members(const LayerTable& table, std::span<const culling::ObjectRun> objects) {
   std::set<std::uint32_t> ids;
-  for (const auto& run : runs)
-    for (std::uint32_t i = run.first; i < run.last; ++i) CHECK(ids.insert(i).second);
+  std::uint32_t last = 0;
+  for (const culling::ObjectRun& run : objects) {
+    CHECK((run.first >= last && run.first < run.last));
+    last = run.last;
+    const auto rows = table.rows(run);
+    for (std::uint32_t i = rows.first; i < rows.last; ++i) CHECK(ids.insert(i).second);
+  }
   return ids;
 }
 
-culling::BoxD box_in_scene(const Scene& scene, const culling::ObjectTable& table, std::uint32_t i) {
-  const culling::Box b = table.box(i);
+culling::BoxD box_in_scene(const Scene& scene, const LayerTable& table, std::uint32_t i) {
+  const culling::Box b = table.boxes[i];
   return {scene.tree.origin + Vec3d(b.min), scene.tree.origin + Vec3d(b.max)};
 }
 
 struct Tally {
   std::size_t accepted = 0, exact = 0, missed = 0;
-  void add(const Scene& scene, const culling::ObjectTable& table, const std::vector<culling::ObjectRun>& runs,
+  void add(const Scene& scene, const LayerTable& table, std::span<const culling::ObjectRun> objects,
            const culling::ExactView& view) {
-    const std::set<std::uint32_t> seen = members(runs);
+    const std::set<std::uint32_t> seen = members(table, objects);
     accepted += seen.size();
     for (std::uint32_t i = 0; i < table.size(); ++i) {
       const bool truly = exactly_overlaps(view, box_in_scene(scene, table, i));
@@ -137,9 +148,9 @@ TEST_CASE("scene: nothing that is truly in view is left out, and hardly anything
     const culling::View view = random_view(scene, random);
     find_visible(scene, view, Structure::bqr, sets);
     const culling::ExactView exact = make_exact(view);
-    tally.add(scene, scene.buildings.table, sets.buildings, exact);
-    tally.add(scene, scene.surfaces.table, sets.surfaces, exact);
-    tally.add(scene, scene.trees.table, sets.trees, exact);
+    tally.add(scene, scene.buildings.table, sets.objects(), exact);
+    tally.add(scene, scene.surfaces.table, sets.objects(), exact);
+    tally.add(scene, scene.trees.table, sets.objects(), exact);
   }
   CHECK(tally.missed == 0);
   REQUIRE(tally.exact > 10000);
@@ -150,13 +161,13 @@ TEST_CASE("scene: without a structure everything is taken, once") {
   const Scene& scene = town().scene;
   VisibleSets sets(scene);
   find_visible(scene, culling::look({0, 0, 1e6}, {0, 0, 1}, {0, 1, 0}, 1, 1), Structure::none, sets);  // looks away
-  find_cars(scene, 0, Structure::none, sets);
-  CHECK(members(sets.buildings).size() == scene.buildings.table.size());
-  CHECK(members(sets.trees).size() == scene.trees.table.size());
+  find_cars(scene, 0, sets);
+  CHECK(members(scene.buildings.table, sets.objects()).size() == scene.buildings.table.size());
+  CHECK(members(scene.trees.table, sets.objects()).size() == scene.trees.table.size());
   CHECK(sets.cars.size() == scene.traffic.cars());
   find_visible(scene, culling::look({0, 0, 1e6}, {0, 0, 1}, {0, 1, 0}, 1, 1), Structure::bqr, sets);
-  find_cars(scene, 0, Structure::bqr, sets);
-  CHECK((sets.buildings.empty() && sets.trees.empty() && sets.surfaces.empty() && sets.cars.empty()));
+  find_cars(scene, 0, sets);
+  CHECK((sets.objects().empty() && sets.cars.empty()));
 }
 
 TEST_CASE("scene: cars found by block are those that each car's own clock gives, at any time") {
@@ -167,7 +178,7 @@ TEST_CASE("scene: cars found by block are those that each car's own clock gives,
     const culling::View view = random_view(scene, random);
     const std::uint64_t tick = k == 0 ? 0 : random.bits() >> random.below(60);
     find_visible(scene, view, Structure::bqr, sets);
-    find_cars(scene, tick, Structure::bqr, sets);
+    find_cars(scene, tick, sets);
     std::set<std::uint32_t> lazy;
     for (const CarState& car : sets.cars) CHECK(lazy.insert(car.car).second);
     const culling::ExactView exact = make_exact(view);
@@ -219,9 +230,9 @@ TEST_CASE("scene: nothing at all is a scene too") {
   const Imported empty = build_scene(CityFeatures(), {}, {});
   VisibleSets sets(empty.scene);
   find_visible(empty.scene, culling::look({0, 0, 2}, {0, 1, 0}, {0, 0, 1}, 1, 1), Structure::bqr, sets);
-  find_cars(empty.scene, 7, Structure::bqr, sets);
+  find_cars(empty.scene, 7, sets);
   CHECK(empty.report.blocks == 0);
-  CHECK((sets.blocks.empty() && sets.buildings.empty() && sets.cars.empty()));
+  CHECK((sets.blocks().empty() && sets.objects().empty() && sets.cars.empty()));
   CHECK_THROWS_WITH(import_city("builtin:city", {}, {}), Catch::Contains("builtin:town"));
 }
 
