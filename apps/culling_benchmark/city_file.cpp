@@ -28,18 +28,19 @@ std::array<std::uint32_t, 3> plant_triangles(std::uint64_t seed) {
 
 /// Adds the objects of one layer in one block; triangles_of(i) is asked for each.
 template <class TrianglesOf>
-void add_objects(City& city, const Vec3d& origin, const culling::ObjectTable& table, std::uint32_t block,
+void add_objects(City& city, const culling::BqrTree& tree, const LayerTable& table, std::uint32_t block,
                  ObjectKind kind, TrianglesOf triangles_of) {
-  for (std::uint32_t i = table.first[block]; i < table.first[block + 1]; ++i) {
-    const culling::Box box = table.box(i);
-    city.boxes.push_back({Vec3d(box.min) + origin, Vec3d(box.max) + origin});
+  const culling::ObjectRun rows = table.rows(tree.block_objects[block]);
+  for (std::uint32_t i = rows.first; i < rows.last; ++i) {
+    const culling::Box& box = table.boxes[i];
+    city.boxes.push_back({Vec3d(box.min) + tree.origin, Vec3d(box.max) + tree.origin});
     city.kinds.push_back(kind);
     city.triangles.push_back(triangles_of(i));
   }
 }
 
 void add_meshes(City& city, const Scene& scene, const MeshLayer& layer, std::uint32_t block, ObjectKind kind) {
-  add_objects(city, scene.tree.origin, layer.table, block, kind,
+  add_objects(city, scene.tree, layer.table, block, kind,
               [&](std::uint32_t i) { return (layer.index_first[i + 1] - layer.index_first[i]) / 3; });
 }
 
@@ -62,7 +63,7 @@ City city_of(const Scene& scene, std::uint64_t seed) {
   for (std::uint32_t block = 0; block < scene.blocks.size(); ++block) {
     add_meshes(city, scene, scene.buildings, block, ObjectKind::building);
     add_meshes(city, scene, scene.surfaces, block, ObjectKind::ground);
-    add_objects(city, scene.tree.origin, scene.trees.table, block, ObjectKind::tree,
+    add_objects(city, scene.tree, scene.trees.table, block, ObjectKind::tree,
                 [&](std::uint32_t i) { return plants[static_cast<std::size_t>(scene.trees.instances[i].kind)]; });
     city.blocks.push_back(volume_of(city, scene, block));
     city.first.push_back(city.objects());

@@ -3,6 +3,7 @@
 ///   Cities cities;
 ///   const Workload work = make_workload("100k", seed, 300, cities);
 #include "apps/culling_benchmark/catalogue.h"
+#include "culling/frustum.h"
 
 namespace manzana::culling_benchmark {
 

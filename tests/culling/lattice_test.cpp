@@ -141,7 +141,7 @@ TEST_CASE("three floors: F is less than 3 off, and fits into 16 bits") {
     Real exact = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint16_t w = any_distance(random);
-      sum += std::uint32_t{column.a[k]} * w >> 16;
+      sum += std::uint32_t{column.a[k][0]} * w >> 16;
       exact += static_cast<Real>(std::abs(f.planes[0].normal[static_cast<int>(k)])) * w;
       REQUIRE((column.flip[k] == 0xFFFF) == (f.planes[0].normal[static_cast<int>(k)] < 0));
     }
