@@ -36,7 +36,7 @@ Reaches reaches_of(const BoxD& box, const Vec3d& low, const Vec3d& high, double 
 }
 
 std::uint16_t lattice_radius(double radius, double step) {
-  return to16(std::ceil((radius / step + 0.9) * (kTestScale / 65536)) + 1);
+  return to16(std::ceil((radius / step + 0.9) * (kTestScale / 65536)));
 }
 
 }  // namespace manzana::culling

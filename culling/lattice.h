@@ -11,7 +11,7 @@
 /// With m, more than the error of D in double:
 ///   outside, s < -m for certain,  if F < t_out = floor(k (-D - m)) - 2
 ///   inside,  s > m for certain,   if F >= t_in = ceil(k (m - D)) + 3
-/// A ball has R = ceil(k (r + 0.9 h)) + 1 (its centre is rounded to the lattice, which moves it by sqrt 3 / 2 h at
+/// A ball has R = ceil(k (r + 0.9 h)) (its centre is rounded to the lattice, which moves it by sqrt 3 / 2 h at
 /// most): outside if F + R < t_out, inside if F >= t_in + R. A box keeps its reaches a_i = max_i - c_i and b_i = c_i +
 /// N h - min_i, rounded up: its corner farthest inward has w_i = n_i >= 0 ? a_i : b_i, the one farthest outward w_i =
 /// ~(n_i >= 0 ? b_i : a_i). Objects have reaches from the corners of their block's box, on steps of h / 2^shift. Seen

@@ -91,7 +91,7 @@ TEST_CASE("a ball on the lattice holds the ball") {
     most = std::max(most, spare / static_cast<Real>(l.step));
   }
   std::cout << "a ball is enlarged by up to " << most << " steps\n";
-  CHECK(most < 0.9 + 2 * 65536 / 37800.0);
+  CHECK(most < 0.9 + 65536 / 37800.0);
 }
 
 /// Unit, of any kind: along an axis or nearly, along a diagonal, anywhere.

@@ -113,6 +113,26 @@ TEST_CASE("several views in one traversal take what each alone does") {
   }
 }
 
+TEST_CASE("whole lanes and their order are short cuts, no more") {
+  Random random(85);
+  const Scene s = classified(random);
+  Scene slow = s;
+  for (BqrNode& node : slow.tree.nodes) {
+    node.whole &= static_cast<std::uint16_t>(random.below(0x10000));
+    node.ordered = random.chance(0.5);
+  }
+  Answer quick(s.tree), answer(s.tree);
+  for (int i = 0; i < 200; ++i) {
+    const Planes planes = planes_of(s, any_view(s, random));
+    const CullOptions options{.classes = any_mask(random), .blocks = true};
+    cull(s.tree, planes, quick, options);
+    cull(slow.tree, planes, answer, options);
+    INFO("seed 85, view " << i << ", classes " << options.classes);
+    REQUIRE(seen_objects(s, answer) == seen_objects(s, quick));
+    REQUIRE(flags(answer.blocks(), s.tree.blocks()) == flags(quick.blocks(), s.tree.blocks()));
+  }
+}
+
 /// One enormous object (a plain round the city, a dome) makes the lattices of its node and of those above it coarse.
 TEST_CASE("an enormous object: nothing is lost, and how much else is taken") {
   for (const double size : {0.0, 1e4, 1e5, 1e6, 1e7}) {
