@@ -58,6 +58,7 @@ TEST_CASE("no object that is seen is lost, and few others are taken") {
       truly += count(exact);
       std::vector<bool> first;
       on_each_target([&](const char* name) {
+        REQUIRE(simd_target() == std::string(name));
         cull(s.tree, planes_of(s, view), answer);
         const auto seen = seen_objects(s, answer);
         if (first.empty()) first = seen;
