@@ -5,8 +5,6 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 #include "culling/bqr_tree.h"
 #include "culling/lattice.h"
@@ -16,23 +14,7 @@
 namespace manzana::culling {
 namespace {
 
-constexpr double kFarthest = 1e37;  // metres; what is drawn from it must still be finite in float
 constexpr std::uint32_t kNoQuad = ~0U;
-
-bool near(const Vec3d& v) {
-  return std::abs(v.x) <= kFarthest && std::abs(v.y) <= kFarthest && std::abs(v.z) <= kFarthest;
-}
-
-bool good(const BlockVolume& b) {
-  return !b.box.empty() && near(b.box.min) && near(b.box.max) && !b.sphere.empty() && near(b.sphere.center) &&
-         b.sphere.radius <= kFarthest && std::isfinite(b.center.x) && std::isfinite(b.center.y);
-}
-
-void refuse_bad_blocks(std::span<const BlockVolume> blocks) {
-  for (std::size_t i = 0; i < blocks.size(); ++i)
-    if (!good(blocks[i]))
-      throw std::invalid_argument("block " + std::to_string(i) + ": centre or volume is empty, not finite or too far");
-}
 
 /// Blocks [first, last) that become one lane: those of a quadrant, or part of one that holds too many to be opened.
 struct Part {
@@ -50,7 +32,7 @@ class Builder {
     assert(objects_.first.empty() ? objects_.boxes.empty() : objects_.first.size() == in_.size() + 1);
     assert(objects_.first.empty() || objects_.first.back() == objects_.boxes.size());
     assert(objects_.classes.empty() || objects_.classes.size() == objects_.boxes.size());
-    refuse_bad_blocks(in_);
+    for (std::size_t i = 0; i < in_.size(); ++i) refuse_bad_block(in_[i], i);
     if (in_.empty()) return {};
     quads_ = build_quadtree(in_);
     tree_.order = quads_.order;
@@ -194,8 +176,7 @@ class Builder {
     BoxD all = box_of(part);
     for (const SphereD& ball : balls) all = merge(all, ball.center);
     const Lattice lattice = make_lattice(all);
-    tree_.reach =
-        std::max(tree_.reach, glm::length(glm::max(glm::abs(lattice.corner), glm::abs(lattice.far_corner()))));
+    tree_.reach = std::max(tree_.reach, reach_of(lattice));
     return lattice;
   }
 

@@ -1,28 +1,28 @@
 #pragma once
-/// Changes of a BqR-Tree without a rebuild of the rest: a block that is built, torn down or altered.
-///   const std::uint32_t block = insert_block(tree, volume, objects);   // objects().size() more objects, at the end
+/// Changes of a BqR-Tree without a rebuild of the rest: a block is built, torn down or altered.
+///   const std::uint32_t block = insert_block(tree, volume, {boxes});   // its objects are the tree's last
 ///   remove_block(tree, block);
-/// What lies below a lane is then no longer one run, so a query descends further there; after many changes build anew.
-/// Queries may not run at the same time.
+/// What lies below a lane is then no longer one run, so that queries go further down there; after very many changes
+/// build anew. No query may run at the same time; answers make room by themselves.
 #include "culling/bqr_tree.h"
 
 namespace manzana::culling {
 
-/// Boxes and classes of one block's objects. No classes: all classes.
+/// Of one block. Without classes every object is of all classes.
 struct NewObjects {
   std::span<const BoxD> boxes;
   std::span<const ClassMask> classes;
 };
 
-/// The number of the new block: the last. Its objects become the last, in the order of a Z-curve; object_order holds for
-/// them the row that they would have if the new boxes followed all earlier ones. O(depth). Throws as build_bqr_tree
-/// does, and then nothing has changed.
+/// The number of the new block: the next. Its objects get the next numbers, along a Z-curve; in object_order they
+/// follow the builder's rows. O(depth), and the time to append to the tree's vectors. Throws as build_bqr_tree does,
+/// and then nothing has changed.
 std::uint32_t insert_block(BqrTree& tree, const BlockVolume& volume, const NewObjects& objects = {});
 
-/// The block's number and its objects' stay unused: no query finds them.
+/// No query finds the block or its objects any more; their numbers stay unused. O(depth).
 void remove_block(BqrTree& tree, std::uint32_t block);
 
-/// Another volume, other objects, the same number: its objects become the last.
+/// Another volume and other objects under the same number; the objects get the next numbers.
 void change_block(BqrTree& tree, std::uint32_t block, const BlockVolume& volume, const NewObjects& objects = {});
 
 }  // namespace manzana::culling

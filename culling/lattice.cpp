@@ -30,6 +30,10 @@ Lattice make_lattice(const BoxD& box) {
   return {glm::floor(box.min / step) * step, step};
 }
 
+double reach_of(const Lattice& lattice) {
+  return glm::length(glm::max(glm::abs(lattice.corner), glm::abs(lattice.far_corner())));
+}
+
 Reaches reaches_of(const BoxD& box, const Vec3d& low, const Vec3d& high, double steps_per_metre) {
   const Vec3d a = glm::ceil((box.max - low) * steps_per_metre), b = glm::ceil((high - box.min) * steps_per_metre);
   return {to16(a.x), to16(a.y), to16(a.z), to16(b.x), to16(b.y), to16(b.z)};

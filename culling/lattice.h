@@ -35,6 +35,9 @@ struct Lattice {
   Vec3d far_corner() const { return corner + kLatticeEnd * step; }
 };
 
+/// No point between its corners is farther from the origin.
+double reach_of(const Lattice& lattice);
+
 /// The finest lattice round a box that is not empty; its corner is exact in float too.
 Lattice make_lattice(const BoxD& box);
 

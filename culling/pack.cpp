@@ -63,11 +63,33 @@ void write_packets(std::uint16_t* out, const std::vector<Packing>& objects) {
   }
 }
 
-void refuse(std::uint32_t row, const char* what) {
-  throw std::invalid_argument("object " + std::to_string(row) + ": " + what);
+constexpr double kFarthest = 1e37;  // metres; what is drawn from it must still be finite in float
+
+bool near(const Vec3d& v) { return glm::all(glm::lessThanEqual(glm::abs(v), Vec3d(kFarthest))); }
+
+bool good(const BlockVolume& b) {
+  return !b.box.empty() && near(b.box.min) && near(b.box.max) && !b.sphere.empty() && near(b.sphere.center) &&
+         b.sphere.radius <= kFarthest && std::isfinite(b.center.x) && std::isfinite(b.center.y);
+}
+
+void refuse(const char* kind, std::size_t index, const char* what) {
+  throw std::invalid_argument(kind + std::to_string(index) + ": " + what);
 }
 
 }  // namespace
+
+void refuse_bad_block(const BlockVolume& volume, std::size_t index) {
+  if (!good(volume)) refuse("block ", index, "centre or volume is empty, not finite or too far");
+}
+
+void refuse_bad_objects(std::span<const BoxD> boxes, std::span<const ClassMask> classes, const BlockVolume& volume,
+                        std::size_t from) {
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (boxes[i].empty() || !holds(volume.box, boxes[i]))
+      refuse("object ", from + i, "its box is empty or reaches out of its block");
+  for (std::size_t i = 0; i < classes.size(); ++i)
+    if (classes[i] == 0) refuse("object ", from + i, "it has no class");
+}
 
 SphereD relative(const SphereD& sphere, const Vec3d& origin) {
   const Vec3d c = sphere.center - origin;
@@ -126,10 +148,12 @@ void pack_objects(BqrTree& tree, std::uint32_t block, const BlockObjects& object
   const BoxD frame = lane_box(node, lane);
   const double steps = std::ldexp(1 / static_cast<double>(node.step), node.shift);
   const ObjectRun run = tree.block_objects[block];
-  std::vector<Packing> packing(run.last - run.first);
+  const std::uint32_t n = run.last - run.first;
+  refuse_bad_objects(objects.boxes.subspan(from, n),
+                     objects.classes.empty() ? objects.classes : objects.classes.subspan(from, n), volume, from);
+  std::vector<Packing> packing(n);
   for (std::uint32_t i = 0; i < packing.size(); ++i) {
     const BoxD& box = objects.boxes[from + i];
-    if (box.empty() || !holds(volume.box, box)) refuse(from + i, "its box is empty or reaches out of its block");
     packing[i].row = from + i;
     packing[i].reaches = reaches_of({box.min - tree.origin, box.max - tree.origin}, frame.min, frame.max, steps);
     packing[i].key = z_order(packing[i].reaches);
@@ -141,7 +165,6 @@ void pack_objects(BqrTree& tree, std::uint32_t block, const BlockObjects& object
     tree.object_order[run.first + i] = packing[i].row;
     if (tree.classes.empty()) continue;
     tree.classes[run.first + i] = objects.classes[packing[i].row];
-    if (objects.classes[packing[i].row] == 0) refuse(packing[i].row, "it has no class");
   }
 }
 

@@ -5,6 +5,11 @@
 
 namespace manzana::culling {
 
+/// Throw as build_bqr_tree does, with that index; the rows of objects begin at `from`.
+void refuse_bad_block(const BlockVolume& volume, std::size_t index);
+void refuse_bad_objects(std::span<const BoxD> boxes, std::span<const ClassMask> classes, const BlockVolume& volume,
+                        std::size_t from);
+
 /// Relative to an origin, enlarged by more than the subtraction's error.
 SphereD relative(const SphereD& sphere, const Vec3d& origin);
 
@@ -23,7 +28,7 @@ std::uint8_t finest_shift(const BqrNode& node);
 std::uint32_t packed_size(std::uint32_t objects);
 
 /// Writes the packets, the classes and the order of a block's objects, in the order of a Z-curve; the block has its
-/// place, its run and room for its packets. Rows of the input from `from`. Throws as build_bqr_tree does.
+/// place, its run and room for its packets. Rows of the input from `from`. Throws for bad objects.
 void pack_objects(BqrTree& tree, std::uint32_t block, const BlockObjects& objects, std::uint32_t from,
                   const BlockVolume& volume);
 

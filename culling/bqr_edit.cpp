@@ -1,0 +1,236 @@
+#include "culling/bqr_edit.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <limits>
+
+#include "culling/pack.h"
+
+namespace manzana::culling {
+namespace {
+
+constexpr std::uint32_t kNowhere = ~0U;
+
+std::uint16_t bit(std::uint32_t lane) { return static_cast<std::uint16_t>(1U << lane); }
+
+template <class F>
+void each_lane(unsigned lanes, F f) {
+  for (; lanes != 0; lanes &= lanes - 1) f(static_cast<std::uint32_t>(std::countr_zero(lanes)));
+}
+
+std::uint32_t lane_of(const BqrNode& parent, std::uint32_t child) {
+  std::uint32_t found = kNowhere;
+  each_lane(parent.lanes & ~parent.blocks & 0xFFFFU,
+            [&](std::uint32_t i) { found = parent.child[i] == child ? i : found; });
+  return found;
+}
+
+double distance(const BoxD& box, const Vec3d& p) {
+  return glm::length(glm::max(glm::max(box.min - p, p - box.max), 0.0));
+}
+
+/// The child node whose box is nearest to p, then whose middle is.
+std::uint32_t nearest_child(const BqrNode& node, const Vec3d& p) {
+  std::uint32_t best = kNowhere;
+  std::pair least{std::numeric_limits<double>::infinity(), 0.0};
+  each_lane(node.lanes & ~node.blocks & 0xFFFFU, [&](std::uint32_t i) {
+    const BoxD box = lane_box(node, i);
+    const std::pair far{distance(box, p), glm::length(center(box) - p)};
+    if (far < least) best = node.child[i];
+    least = std::min(least, far);
+  });
+  return best;
+}
+
+/// A shift that leaves blocks four times as large their place.
+std::uint8_t roomy_shift(const BoxD& box, double step) {
+  const Vec3d steps = (box.max - box.min) / step;
+  const double most = std::clamp(4 * std::max({steps.x, steps.y, steps.z}), 4.0, kLatticeEnd);
+  return static_cast<std::uint8_t>(std::bit_width(65535U / static_cast<std::uint32_t>(most)) - 1);
+}
+
+/// The only lane, so far, of a new node.
+void set_lane(BqrNode& node, std::uint32_t lane, const BoxD& box, const SphereD& ball) {
+  node.balls &= static_cast<std::uint16_t>(~bit(lane));
+  set_volumes(node, lane, box, ball);
+  node.lanes |= bit(lane);
+}
+
+/// Lives for one insertion.
+class Insertion {
+ public:
+  Insertion(BqrTree& tree, const BlockVolume& volume)
+      : tree_(tree),
+        box_{volume.box.min - tree.origin, volume.box.max - tree.origin},
+        ball_(relative(volume.sphere, tree.origin)) {}
+
+  /// Puts the block, whose objects have their run, into a lane.
+  void place(std::uint32_t block, std::uint32_t packets) {
+    const std::uint32_t at = find_node();
+    BqrNode& node = tree_.nodes[at];
+    const auto lane = static_cast<std::uint32_t>(std::countr_one(static_cast<unsigned>(node.lanes)));
+    if (node.blocks == 0) node.shift = roomy_shift(box_, static_cast<double>(node.step));
+    set_lane(node, lane, box_, ball_);
+    node.blocks |= bit(lane);
+    node.whole |= bit(lane);
+    node.ordered = false;
+    node.child[lane] = packets;
+    node.first[lane] = tree_.block_objects[block].first;
+    node.last[lane] = tree_.block_objects[block].last;
+    node.first_block[lane] = block;
+    node.last_block[lane] = block + 1;
+    tree_.place[block] = at * kLanes + lane;
+  }
+
+  /// All lanes above hold the block, and are no longer whole.
+  void widen(std::uint32_t block, ClassMask classes) {
+    std::uint32_t at = tree_.place[block] / kLanes;
+    for (tree_.nodes[at].classes[tree_.place[block] % kLanes] = classes; at != tree_.root;
+         at = tree_.nodes[at].parent) {
+      BqrNode& above = tree_.nodes[tree_.nodes[at].parent];
+      const std::uint32_t lane = lane_of(above, at);
+      const BoxD box = merge(lane_box(above, lane), box_);
+      set_lane(above, lane, box, enclosing_sphere(box));
+      above.whole &= static_cast<std::uint16_t>(~bit(lane));
+      above.classes[lane] |= classes;
+    }
+  }
+
+ private:
+  /// With a free lane, and a lattice that reaches over the block; the nearest, or a new one beside it.
+  std::uint32_t find_node() {
+    if (tree_.nodes.empty()) return tree_.root = add_node(box_);
+    std::uint32_t at = tree_.root;
+    for (std::uint32_t child = at; child != kNowhere; child = nearest_child(tree_.nodes[at], center(box_))) at = child;
+    for (; !has_room(at); at = tree_.nodes[at].parent) {
+      if (at == tree_.root) return put_above_root();
+      if (reached_from(tree_.nodes[at].parent)) return put_between(at);
+    }
+    return at;
+  }
+
+  bool has_room(std::uint32_t at) const {
+    const BqrNode& node = tree_.nodes[at];
+    if (node.lanes == 0xFFFF || !reached_from(at)) return false;
+    const Vec3d steps = (box_.max - box_.min) / static_cast<double>(node.step) + 2.0;
+    const double room = kLatticeEnd / static_cast<double>(1U << node.shift);
+    return node.blocks == 0 || std::max({steps.x, steps.y, steps.z}) <= room;
+  }
+  /// The lattices of the node and of all above hold the block.
+  bool reached_from(std::uint32_t at) const {
+    const Lattice lattice = lattice_of(tree_.nodes[at]);
+    const BoxD all = merge(box_, ball_.center);
+    const bool here = glm::all(glm::lessThanEqual(lattice.corner, all.min)) &&
+                      glm::all(glm::lessThanEqual(all.max, lattice.far_corner()));
+    return here && (at == tree_.root || reached_from(tree_.nodes[at].parent));
+  }
+
+  std::uint32_t add_node(const BoxD& box) {
+    const auto at = static_cast<std::uint32_t>(tree_.nodes.size());
+    const Lattice lattice = make_lattice(merge(box, ball_.center));
+    tree_.nodes.push_back(empty_node(lattice));
+    tree_.nodes[at].parent = at;
+    tree_.reach = std::max(tree_.reach, reach_of(lattice));
+    return at;
+  }
+
+  /// A new node over the node `below` and the block.
+  std::uint32_t add_over(std::uint32_t below, const BoxD& box, ClassMask classes) {
+    const std::uint32_t at = add_node(merge(box, box_));
+    BqrNode& node = tree_.nodes[at];
+    set_lane(node, 0, box, enclosing_sphere(box));
+    node.child[0] = below;
+    node.classes[0] = classes;
+    tree_.nodes[below].parent = at;
+    return at;
+  }
+
+  std::uint32_t put_above_root() {
+    const BqrNode& old = tree_.nodes[tree_.root];
+    BoxD box;
+    each_lane(old.lanes, [&](std::uint32_t i) { box = merge(box, lane_box(old, i)); });
+    if (box.empty()) return tree_.root = add_node(box_);  // nothing was left below it
+    return tree_.root = add_over(tree_.root, box, all_classes(old));
+  }
+  std::uint32_t put_between(std::uint32_t below) {
+    const std::uint32_t above = tree_.nodes[below].parent, lane = lane_of(tree_.nodes[above], below);
+    const BqrNode& node = tree_.nodes[above];
+    const std::uint32_t at = add_over(below, lane_box(node, lane), node.classes[lane]);
+    tree_.nodes[at].parent = above;
+    tree_.nodes[above].child[lane] = at;
+    return at;
+  }
+
+  BqrTree& tree_;
+  BoxD box_;
+  SphereD ball_;
+};
+
+/// Room at the end of all that is per object; where the packets begin.
+std::uint32_t append_room(BqrTree& tree, std::uint32_t count, bool classes) {
+  const std::size_t packets = tree.packets.empty() ? 0 : tree.packets.size() - kPacket;
+  tree.packets.resize(packets + std::size_t{packed_size(count)} * 8 + kPacket);
+  if (classes && tree.classes.empty()) tree.classes.assign(tree.objects() + kPacket, kAllClasses);
+  tree.object_order.resize(tree.objects() + count);
+  if (!tree.classes.empty()) tree.classes.resize(tree.objects() + kPacket);
+  return static_cast<std::uint32_t>(packets / 8);
+}
+
+void put(BqrTree& tree, std::uint32_t block, const BlockVolume& volume, const NewObjects& objects) {
+  const std::uint32_t first = tree.objects(), count = static_cast<std::uint32_t>(objects.boxes.size());
+  if (tree.nodes.empty()) tree.origin = glm::round(center(volume.box));
+  const std::uint32_t packets = append_room(tree, count, !objects.classes.empty());
+  tree.block_objects[block] = {first, first + count};
+  Insertion insertion(tree, volume);
+  insertion.place(block, packets);
+  std::vector<ClassMask> all_of_all;
+  if (objects.classes.empty()) all_of_all.assign(count, kAllClasses);
+  pack_objects(tree, block, {{}, objects.boxes, objects.classes.empty() ? all_of_all : objects.classes}, 0, volume);
+  for (std::uint32_t i = first; i < first + count; ++i) tree.object_order[i] += first;
+  insertion.widen(block, block_classes(tree, block, volume.classes));
+}
+
+void refuse_bad(const BqrTree& tree, std::uint32_t block, const BlockVolume& volume, const NewObjects& objects) {
+  assert(objects.classes.empty() || objects.classes.size() == objects.boxes.size());
+  refuse_bad_block(volume, block);
+  refuse_bad_objects(objects.boxes, objects.classes, volume, tree.objects());
+}
+
+}  // namespace
+
+std::uint32_t insert_block(BqrTree& tree, const BlockVolume& volume, const NewObjects& objects) {
+  const std::uint32_t block = tree.blocks();
+  refuse_bad(tree, block, volume, objects);
+  tree.block_objects.emplace_back();
+  tree.place.push_back(kNowhere);
+  tree.order.push_back(block);
+  put(tree, block, volume, objects);
+  return block;
+}
+
+void remove_block(BqrTree& tree, std::uint32_t block) {
+  assert(block < tree.blocks());
+  if (tree.place[block] == kNowhere) return;
+  std::uint32_t at = tree.place[block] / kLanes;
+  const auto others = static_cast<std::uint16_t>(~bit(tree.place[block] % kLanes));
+  BqrNode& node = tree.nodes[at];
+  node.lanes &= others;
+  node.blocks &= others;
+  node.whole &= others;
+  tree.block_objects[block].last = tree.block_objects[block].first;
+  tree.place[block] = kNowhere;
+  for (; at != tree.root; at = tree.nodes[at].parent) {
+    BqrNode& above = tree.nodes[tree.nodes[at].parent];
+    above.whole &= static_cast<std::uint16_t>(~bit(lane_of(above, at)));
+  }
+}
+
+void change_block(BqrTree& tree, std::uint32_t block, const BlockVolume& volume, const NewObjects& objects) {
+  assert(block < tree.blocks());
+  refuse_bad(tree, block, volume, objects);
+  remove_block(tree, block);
+  put(tree, block, volume, objects);
+}
+
+}  // namespace manzana::culling
