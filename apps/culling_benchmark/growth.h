@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "culling/baselines/city.h"
+#include "culling/frustum.h"
 
 namespace manzana::culling_benchmark {
 

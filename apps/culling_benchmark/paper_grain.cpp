@@ -6,6 +6,7 @@
 #include "apps/culling_benchmark/paper_values.h"
 #include "culling/baselines/cases.h"
 #include "culling/baselines/vam.h"
+#include "culling/cull.h"
 
 namespace manzana::paper {
 namespace {
@@ -32,14 +33,15 @@ struct Pages {
   std::vector<std::uint64_t> before{0};
 };
 
-/// What the BqR-Tree finds: the leaves that are not outside.
-std::uint64_t sent_by_bqr(const culling::BqrTree& tree, const City& city, const culling::FrustumD& frustum) {
+/// What the BqR-Tree finds: the blocks that are not outside.
+std::uint64_t sent_by_bqr(const culling::BqrTree& tree, const City& city, const culling::FrustumD& frustum,
+                          culling::Answer& answer) {
+  cull(tree, make_planes(tree, frustum), answer, {.blocks = true});
   std::uint64_t sum = 0;
-  cull(tree, narrow(frustum, tree.origin), [&](const culling::LeafRun& run) {
+  for (const culling::LeafRun& run : answer.blocks())
     for (std::uint32_t leaf = run.first; leaf < run.last; ++leaf)
       for (std::uint32_t row = city.first[tree.order[leaf]]; row < city.first[tree.order[leaf] + 1]; ++row)
         sum += city.triangles[row];
-  });
   return sum;
 }
 
@@ -49,13 +51,14 @@ GrainCounts count_grains(const City& city, int frames) {
   std::vector<Pages> pages;
   for (const std::uint32_t page : kPageBlocks) pages.emplace_back(city, boxes, page);
   const culling::BqrTree tree = culling::build_bqr_tree(city.blocks);
+  culling::Answer answer(tree);
   GrainCounts counts;
   std::vector<culling::ObjectRun> runs;
   for (int i = 0; i < frames; ++i) {
     const auto frustum =
         culling::make_frustum(baselines::flight(city, std::numeric_limits<double>::infinity(), flight_at(i, frames)));
     counts.none += std::accumulate(city.triangles.begin(), city.triangles.end(), std::uint64_t{0});
-    counts.bqr += sent_by_bqr(tree, city, frustum);
+    counts.bqr += sent_by_bqr(tree, city, frustum, answer);
     for (std::size_t p = 0; p < pages.size(); ++p) counts.vam[p] += pages[p].sent(frustum, runs);
   }
   return counts;
