@@ -4,6 +4,7 @@
 #include <bit>
 #include <cassert>
 #include <limits>
+#include <numeric>
 
 #include "culling/pack.h"
 
@@ -43,6 +44,33 @@ std::uint32_t nearest_child(const BqrNode& node, const Vec3d& p) {
   return best;
 }
 
+bool full(const BqrNode& node) { return node.lanes == 0xFFFF; }
+std::uint32_t free_lane(const BqrNode& node) {
+  return static_cast<std::uint32_t>(std::countr_one(static_cast<unsigned>(node.lanes)));
+}
+
+BoxD box_of(const BqrNode& node) {
+  BoxD all;
+  each_lane(node.lanes, [&](std::uint32_t i) { all = merge(all, lane_box(node, i)); });
+  return all;
+}
+
+/// Of a full node: the half of the lanes that lies farther along the axis on which their middles are spread most.
+std::uint16_t farther_half(const BqrNode& node) {
+  std::array<std::pair<Vec3d, std::uint32_t>, kLanes> lanes;
+  BoxD all;
+  for (std::uint32_t i = 0; i < kLanes; ++i) lanes[i] = {center(lane_box(node, i)), i};
+  for (const auto& [middle, lane] : lanes) all = merge(all, middle);
+  const Vec3d size = all.max - all.min;
+  const int axis = size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
+  const auto half = lanes.begin() + kLanes / 2;
+  std::nth_element(lanes.begin(), half, lanes.end(),
+                   [&](const auto& a, const auto& b) { return a.first[axis] < b.first[axis]; });
+  return std::accumulate(half, lanes.end(), std::uint16_t{0}, [](std::uint16_t bits, const auto& lane) {
+    return static_cast<std::uint16_t>(bits | bit(lane.second));
+  });
+}
+
 /// A shift that leaves blocks four times as large their place.
 std::uint8_t roomy_shift(const BoxD& box, double step) {
   const Vec3d steps = (box.max - box.min) / step;
@@ -69,7 +97,7 @@ class Insertion {
   void place(std::uint32_t block, std::uint32_t packets) {
     const std::uint32_t at = find_node();
     BqrNode& node = tree_.nodes[at];
-    const auto lane = static_cast<std::uint32_t>(std::countr_one(static_cast<unsigned>(node.lanes)));
+    const std::uint32_t lane = free_lane(node);
     if (node.blocks == 0) node.shift = roomy_shift(box_, static_cast<double>(node.step));
     set_lane(node, lane, box_, ball_);
     node.blocks |= bit(lane);
@@ -98,21 +126,21 @@ class Insertion {
   }
 
  private:
-  /// With a free lane, and a lattice that reaches over the block; the nearest, or a new one beside it.
+  /// With a free lane, and lattices that reach over the block and are fine enough for it: the nearest.
   std::uint32_t find_node() {
     if (tree_.nodes.empty()) return tree_.root = add_node(box_);
     std::uint32_t at = tree_.root;
     for (std::uint32_t child = at; child != kNowhere; child = nearest_child(tree_.nodes[at], center(box_))) at = child;
-    for (; !has_room(at); at = tree_.nodes[at].parent) {
+    for (; !suits(at); at = tree_.nodes[at].parent)
       if (at == tree_.root) return put_above_root();
-      if (reached_from(tree_.nodes[at].parent)) return put_between(at);
-    }
-    return at;
+    if (!full(tree_.nodes[at])) return at;
+    split(at);
+    return find_node();
   }
 
-  bool has_room(std::uint32_t at) const {
+  bool suits(std::uint32_t at) const {
     const BqrNode& node = tree_.nodes[at];
-    if (node.lanes == 0xFFFF || !reached_from(at)) return false;
+    if (!reached_from(at)) return false;
     const Vec3d steps = (box_.max - box_.min) / static_cast<double>(node.step) + 2.0;
     const double room = kLatticeEnd / static_cast<double>(1U << node.shift);
     return node.blocks == 0 || std::max({steps.x, steps.y, steps.z}) <= room;
@@ -135,31 +163,49 @@ class Insertion {
     return at;
   }
 
-  /// A new node over the node `below` and the block.
-  std::uint32_t add_over(std::uint32_t below, const BoxD& box, ClassMask classes) {
-    const std::uint32_t at = add_node(merge(box, box_));
-    BqrNode& node = tree_.nodes[at];
-    set_lane(node, 0, box, enclosing_sphere(box));
-    node.child[0] = below;
-    node.classes[0] = classes;
-    tree_.nodes[below].parent = at;
-    return at;
+  /// What lies below, within the limits known so far, in a lane of the node `above`.
+  void set_child(std::uint32_t above, std::uint32_t lane, std::uint32_t below, const BoxD& limits) {
+    BqrNode& node = tree_.nodes[above];
+    const BoxD all = box_of(tree_.nodes[below]);
+    const BoxD box{glm::max(all.min, limits.min), glm::min(all.max, limits.max)};
+    set_lane(node, lane, box, enclosing_sphere(box));
+    node.whole &= static_cast<std::uint16_t>(~bit(lane));
+    node.child[lane] = below;
+    node.classes[lane] = all_classes(tree_.nodes[below]);
+    tree_.nodes[below].parent = above;
   }
 
+  /// The new root reaches farther than it must, or a city that grows at one end would get a level with each block.
   std::uint32_t put_above_root() {
-    const BqrNode& old = tree_.nodes[tree_.root];
-    BoxD box;
-    each_lane(old.lanes, [&](std::uint32_t i) { box = merge(box, lane_box(old, i)); });
-    if (box.empty()) return tree_.root = add_node(box_);  // nothing was left below it
-    return tree_.root = add_over(tree_.root, box, all_classes(old));
+    const std::uint32_t below = tree_.root;
+    const BoxD old = box_of(tree_.nodes[below]), all = merge(old, box_);
+    if (old.empty()) tree_.nodes.clear();  // nothing is left below it
+    tree_.root = add_node({all.min - (all.max - all.min), all.max + (all.max - all.min)});
+    if (!old.empty()) set_child(tree_.root, 0, below, old);
+    return tree_.root;
   }
-  std::uint32_t put_between(std::uint32_t below) {
-    const std::uint32_t above = tree_.nodes[below].parent, lane = lane_of(tree_.nodes[above], below);
-    const BqrNode& node = tree_.nodes[above];
-    const std::uint32_t at = add_over(below, lane_box(node, lane), node.classes[lane]);
-    tree_.nodes[at].parent = above;
-    tree_.nodes[above].child[lane] = at;
-    return at;
+
+  /// Half of the lanes go to a new node beside it, on the same lattice, so that blocks keep their packets.
+  void split(std::uint32_t at) {
+    if (at == tree_.root) put_above_root();
+    if (full(tree_.nodes[tree_.nodes[at].parent])) split(tree_.nodes[at].parent);
+    const auto to = static_cast<std::uint32_t>(tree_.nodes.size());
+    const std::uint16_t half = farther_half(tree_.nodes[at]);
+    tree_.nodes.push_back(BqrNode(tree_.nodes[at]));
+    keep(at, static_cast<std::uint16_t>(~half));
+    keep(to, half);
+    const std::uint32_t above = tree_.nodes[at].parent, lane = lane_of(tree_.nodes[above], at);
+    const BoxD limits = lane_box(tree_.nodes[above], lane);
+    set_child(above, lane, at, limits);
+    set_child(above, free_lane(tree_.nodes[above]), to, limits);
+  }
+
+  /// Only these lanes, which know where they are.
+  void keep(std::uint32_t at, std::uint16_t lanes) {
+    BqrNode& node = tree_.nodes[at];
+    for (std::uint16_t* bits : {&node.lanes, &node.blocks, &node.whole, &node.balls}) *bits &= lanes;
+    each_lane(node.lanes & ~node.blocks & 0xFFFFU, [&](std::uint32_t i) { tree_.nodes[node.child[i]].parent = at; });
+    each_lane(node.blocks, [&](std::uint32_t i) { tree_.place[node.first_block[i]] = at * kLanes + i; });
   }
 
   BqrTree& tree_;

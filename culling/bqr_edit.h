@@ -2,13 +2,16 @@
 /// Changes of a BqR-Tree without a rebuild of the rest: a block is built, torn down or altered.
 ///   const std::uint32_t block = insert_block(tree, volume, {boxes});   // its objects are the tree's last
 ///   remove_block(tree, block);
-/// What lies below a lane is then no longer one run, so that queries go further down there; after very many changes
-/// build anew. No query may run at the same time; answers make room by themselves.
+/// A block goes into the node nearest to it; a full one is split, as in any R-tree. What lies below a lane is then no
+/// longer one run, so that queries go further down there; boxes above never shrink, a coarse lattice stays coarse, and
+/// the room of objects that are gone is not used again: after very many changes build anew. BqrNode::depth stays the
+/// builder's. No query may run at the same time; answers make room by themselves.
 #include "culling/bqr_tree.h"
 
 namespace manzana::culling {
 
-/// Of one block. Without classes every object is of all classes.
+/// Of one block. Without classes every object is of all classes; the first with classes costs a tree without them a
+/// row for every object that it has.
 struct NewObjects {
   std::span<const BoxD> boxes;
   std::span<const ClassMask> classes;

@@ -1,16 +1,8 @@
 #pragma once
-/// What holds for every BqR-Tree, by brute force over all that lies below each lane; in long double, which subtracts
-/// two doubles of a city without rounding.
-#include <algorithm>
-#include <catch2/catch.hpp>
-
-#include "culling/lattice.h"
-#include "culling/pack.h"
+/// What holds for every BqR-Tree, by brute force over all that lies below each lane.
+#include "tests/culling/volume_checks.h"
 
 namespace manzana::culling::test {
-
-using Real = long double;
-using Vec3l = glm::vec<3, Real>;
 
 /// The input of build_bqr_tree.
 struct Input {
@@ -23,11 +15,7 @@ struct Input {
 
 class TreeChecks {
  public:
-  TreeChecks(const BqrTree& tree, const Input& in) : tree_(tree), in_(in), seen_(tree.nodes.size()) {
-    // A difference of doubles rounds by half a unit, twice until it stands on the lattice; the margin of the planes is
-    // dozens of times larger (culling/planes.cpp).
-    tolerance_ = static_cast<Real>(tree.reach) * 0x1p-52L;
-  }
+  TreeChecks(const BqrTree& tree, const Input& in) : tree_(tree), in_(in), volumes_(tree), seen_(tree.nodes.size()) {}
 
   void run() {
     check_orders();
@@ -40,7 +28,8 @@ class TreeChecks {
     REQUIRE(root.depth == 0);
     REQUIRE(check_node(tree_.root) == LeafEnds{0, tree_.blocks(), 0, tree_.objects()});
     REQUIRE(std::find(seen_.begin(), seen_.end(), false) == seen_.end());
-    for (std::uint32_t b = 0; b < tree_.blocks(); ++b) check_block(b);
+    for (std::uint32_t b = 0; b < tree_.blocks(); ++b)
+      volumes_.check_packets(b, [&](std::uint32_t i) { return in_.boxes[tree_.object_order[i]]; });
   }
 
  private:
@@ -48,11 +37,6 @@ class TreeChecks {
     std::uint32_t first_block, last_block, first, last;
     bool operator==(const LeafEnds&) const = default;
   };
-
-  static void check_permutation(std::vector<std::uint32_t> rows) {
-    std::sort(rows.begin(), rows.end());
-    for (std::uint32_t i = 0; i < rows.size(); ++i) REQUIRE(rows[i] == i);
-  }
 
   void check_orders() const {
     REQUIRE(tree_.blocks() == in_.blocks.size());
@@ -84,7 +68,7 @@ class TreeChecks {
     REQUIRE((node.blocks & ~node.lanes) == 0);
     REQUIRE(node.whole == node.lanes);
     REQUIRE(node.ordered);
-    check_lattice(lattice_of(node));
+    volumes_.check_lattice(lattice_of(node));
     LeafEnds all{};
     for (std::uint32_t i = 0, n = 0; i < kLanes; ++i) {
       if ((node.lanes >> i & 1) == 0) continue;
@@ -99,15 +83,11 @@ class TreeChecks {
     return all;
   }
 
-  void check_lattice(const Lattice& l) const {
-    const Vec3l far = glm::max(glm::abs(Vec3l(l.corner)), glm::abs(Vec3l(l.far_corner())));
-    REQUIRE(glm::length(far) <= static_cast<Real>(tree_.reach) * (1 + 0x1p-50L));
-  }
-
   void check_lane(std::uint32_t at, std::uint32_t i, const LeafEnds& ends) {
     const BqrNode& node = tree_.nodes[at];
     REQUIRE(node.classes[i] == classes_below(ends));
-    for (std::uint32_t b = ends.first_block; b < ends.last_block; ++b) check_below(node, i, in_.blocks[tree_.order[b]]);
+    for (std::uint32_t b = ends.first_block; b < ends.last_block; ++b)
+      volumes_.check_below(node, i, in_.blocks[tree_.order[b]]);
     if ((node.blocks >> i & 1) != 0) {
       REQUIRE(ends.last_block == ends.first_block + 1);
       REQUIRE(tree_.place[ends.first_block] == at * kLanes + i);
@@ -128,61 +108,10 @@ class TreeChecks {
     return all;
   }
 
-  Vec3l relative_exactly(const Vec3d& p) const { return Vec3l(p) - Vec3l(tree_.origin); }
-
-  bool contains(const BoxD& outer, const BoxD& inner) const {
-    const Vec3l low = relative_exactly(inner.min) - Vec3l(outer.min),
-                high = Vec3l(outer.max) - relative_exactly(inner.max);
-    return std::min({low.x, low.y, low.z, high.x, high.y, high.z}) >= -tolerance_;
-  }
-  /// No farther out than that on any side.
-  bool within(const BoxD& outer, const BoxD& inner, Real distance) const {
-    const Vec3l low = relative_exactly(inner.min) - Vec3l(outer.min),
-                high = Vec3l(outer.max) - relative_exactly(inner.max);
-    return std::max({low.x, low.y, low.z, high.x, high.y, high.z}) <= distance + tolerance_;
-  }
-
-  void check_below(const BqrNode& node, std::uint32_t i, const BlockVolume& block) const {
-    REQUIRE(contains(lane_box(node, i), block.box));
-    if (node.sphere[3][i] == 65535) return;  // never outside, never inside
-    const SphereD ball = lane_sphere(node, i);
-    const Real away = glm::length(relative_exactly(block.sphere.center) - Vec3l(ball.center));
-    REQUIRE(away + static_cast<Real>(block.sphere.radius) <= static_cast<Real>(ball.radius));
-  }
-
-  /// The boxes in a block's packets, and those round its packets.
-  void check_block(std::uint32_t b) const {
-    const BqrNode& node = tree_.nodes[tree_.place[b] / kLanes];
-    const std::uint32_t lane = tree_.place[b] % kLanes;
-    const auto [first, last] = tree_.block_objects[b];
-    const std::uint32_t n = last - first, packets = (n + kPacket - 1) / kPacket,
-                        enclosing = n > kPacket ? (packets + kPacket - 1) / kPacket : 0;
-    const std::size_t begin = std::size_t{node.child[lane]} * 8;
-    if (n > 0) REQUIRE(begin + std::size_t{packed_size(n)} * 8 + kPacket <= tree_.packets.size());
-    const std::uint32_t length = n > kPacket ? kPacket : (n + 7) / 8 * 8;
-    const BoxD frame = lane_box(node, lane);
-    const double step = std::ldexp(static_cast<double>(node.step), -node.shift);
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const BoxD& box = in_.boxes[tree_.object_order[first + i]];
-      const std::uint32_t p = i / kPacket;
-      const BoxD own = decoded(frame, step, begin + std::size_t{enclosing + p} * 6 * kPacket, length, i % kPacket);
-      REQUIRE(contains(own, box));
-      REQUIRE(within(own, box, static_cast<Real>(step)));
-      if (enclosing == 0) continue;
-      const std::size_t round = begin + std::size_t{p / kPacket} * 6 * kPacket;
-      REQUIRE(contains(decoded(frame, step, round, kPacket, p % kPacket), box));
-    }
-  }
-
-  BoxD decoded(const BoxD& frame, double step, std::size_t packet, std::uint32_t length, std::uint32_t i) const {
-    const auto at = [&](std::uint32_t k) { return step * tree_.packets.at(packet + std::size_t{k} * length + i); };
-    return {frame.max - Vec3d(at(3), at(4), at(5)), frame.min + Vec3d(at(0), at(1), at(2))};
-  }
-
   const BqrTree& tree_;
   const Input& in_;
+  VolumeChecks volumes_;
   std::vector<bool> seen_;
-  Real tolerance_ = 0;
 };
 
 inline BqrTree checked(const Input& in) {
