@@ -78,7 +78,7 @@ std::uint8_t roomy_shift(const BoxD& box, double step) {
   return static_cast<std::uint8_t>(std::bit_width(65535U / static_cast<std::uint32_t>(most)) - 1);
 }
 
-/// The only lane, so far, of a new node.
+/// Anew, whether it held something or not.
 void set_lane(BqrNode& node, std::uint32_t lane, const BoxD& box, const SphereD& ball) {
   node.balls &= static_cast<std::uint16_t>(~bit(lane));
   set_volumes(node, lane, box, ball);
