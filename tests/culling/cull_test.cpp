@@ -163,7 +163,7 @@ TEST_CASE("cameras of all sorts: objects, blocks and runs are as they must be") 
   CHECK(visible < asked / 2);
 }
 
-TEST_CASE("everything seen: one run, one node; nothing seen: none; no tree: nothing") {
+TEST_CASE("everything seen: one run, one node, nothing seen: none, no tree: nothing") {
   const Scene s = city_10k();
   Answer answer(s.tree);
   CullStats stats =

@@ -28,7 +28,7 @@ TEST_CASE("growth: sizes from a thousand to ten million, cold and on two threads
   CHECK(find_growth("grow-2k-all") == nullptr);
 }
 
-TEST_CASE("growth: all in view is all in view, whatever the size; to 1 km it is what is there") {
+TEST_CASE("growth: all in view is all in view, whatever the size, to 1 km it is what is there") {
   Cities cities;
   for (const char* name : {"grow-1k-all", "grow-10k-all", "grow-100k-all"}) {
     const Workload work = make_workload(name, 1, 12, cities);
