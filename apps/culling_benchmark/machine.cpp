@@ -54,7 +54,8 @@ std::string compiler() {
 }  // namespace
 
 const Machine& this_machine() {
-  static const Machine machine{processor(), memory(), system_name(), compiler(), culling::simd_target(), MANZANA_COMMIT};
+  static const Machine machine{processor(),   memory(), system_name(), compiler(), culling::simd_target(),
+                               MANZANA_COMMIT};
   return machine;
 }
 

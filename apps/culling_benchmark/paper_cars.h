@@ -8,8 +8,8 @@
 #include <span>
 
 #include "apps/culling_benchmark/paper_streets.h"
-#include "culling/frustum.h"
 #include "culling/bqr_tree.h"
+#include "culling/frustum.h"
 
 namespace manzana::paper {
 
