@@ -37,21 +37,24 @@ std::uint32_t half_at(const Traffic& traffic, const Circuit& circuit, std::uint6
   return static_cast<std::uint32_t>(after - 1 - traffic.halves.begin());
 }
 
-void append_cars_of_half(const Traffic& traffic, std::uint32_t half_id, std::uint64_t tick,
-                         std::vector<CarState>& out) {
+/// How many it looked at.
+std::uint64_t append_cars_of_half(const Traffic& traffic, std::uint32_t half_id, std::uint64_t tick,
+                                  std::vector<CarState>& out) {
   const HalfStreet& half = traffic.halves[half_id];
   const Circuit& circuit = traffic.circuits[half.circuit];
   const auto begin = traffic.offsets.begin() + circuit.first_car, end = traffic.offsets.begin() + circuit.last_car;
-  if (begin == end) return;
+  const auto all = static_cast<std::uint64_t>(end - begin);
+  if (all == 0) return 0;
   // A car is here when its offset lies in [first, first + length), cyclically.
   const std::uint64_t first = half.phase_begin - phase_run(circuit, tick);
   auto car = std::lower_bound(begin, end, first);
-  for (auto left = end - begin; left > 0; --left, ++car) {
+  for (std::uint64_t seen = 0; seen < all; ++seen, ++car) {
     if (car == end) car = begin;
     const std::uint64_t phase_on_half = *car - first;
-    if (half.phase_length != 0 && phase_on_half >= half.phase_length) return;
+    if (half.phase_length != 0 && phase_on_half >= half.phase_length) return seen + 1;
     out.push_back(state_on(traffic, half_id, phase_on_half, static_cast<std::uint32_t>(car - traffic.offsets.begin())));
   }
+  return all;
 }
 
 }  // namespace
@@ -67,6 +70,12 @@ std::uint64_t phase_run(const Circuit& circuit, std::uint64_t tick) {
   return tick * circuit.step + (tick >> 32) * fraction + ((tick & 0xffffffffu) * fraction >> 32);
 }
 
+CarStats& CarStats::operator+=(const CarStats& more) {
+  half_streets += more.half_streets;
+  cars += more.cars;
+  return *this;
+}
+
 CarState car_at(const Traffic& traffic, std::uint32_t car, std::uint64_t tick) {
   assert(car < traffic.cars());
   const auto after = std::upper_bound(traffic.circuits.begin(), traffic.circuits.end(), car,
@@ -77,10 +86,12 @@ CarState car_at(const Traffic& traffic, std::uint32_t car, std::uint64_t tick) {
   return state_on(traffic, half, phase - traffic.halves[half].phase_begin, car);
 }
 
-void cars_of_block(const Traffic& traffic, std::uint32_t block, std::uint64_t tick, std::vector<CarState>& out) {
+CarStats cars_of_block(const Traffic& traffic, std::uint32_t block, std::uint64_t tick, std::vector<CarState>& out) {
   assert(block + 1 < traffic.block_first.size());
+  CarStats stats;
   for (std::uint32_t row = traffic.block_first[block]; row < traffic.block_first[block + 1]; ++row)
-    append_cars_of_half(traffic, traffic.block_halves[row], tick, out);
+    stats += {1, append_cars_of_half(traffic, traffic.block_halves[row], tick, out)};
+  return stats;
 }
 
 culling::BoxD half_street_bounds(const Traffic& traffic, std::uint32_t half) {

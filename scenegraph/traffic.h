@@ -81,9 +81,16 @@ struct CarState {
 /// One car at a time, from scratch: the oracle, and for following a car. O(log) in the circuit's half-streets.
 CarState car_at(const Traffic& traffic, std::uint32_t car, std::uint64_t tick);
 
+/// What looking for cars took, so that work can be compared and not only time.
+struct CarStats {
+  std::uint64_t half_streets = 0;  ///< bisected
+  std::uint64_t cars = 0;          ///< looked at after that
+  CarStats& operator+=(const CarStats& more);
+};
+
 /// Appends the cars that are on the half-streets of `block` at that tick: exactly those whose car_at(...).half is of
 /// the block. O(half-streets + log cars + cars found). No allocation while `out` has room.
-void cars_of_block(const Traffic& traffic, std::uint32_t block, std::uint64_t tick, std::vector<CarState>& out);
+CarStats cars_of_block(const Traffic& traffic, std::uint32_t block, std::uint64_t tick, std::vector<CarState>& out);
 
 /// All that cars on this half-street can touch, in L: the box of its line, grown by kCarRadius.
 culling::BoxD half_street_bounds(const Traffic& traffic, std::uint32_t half);

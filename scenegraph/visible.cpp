@@ -20,7 +20,8 @@ void find_visible(const Scene& scene, const culling::View& view, Structure struc
   ordered(sets.answer);
 }
 
-void find_cars(const Scene& scene, std::uint64_t tick, VisibleSets& sets) {
+CarStats find_cars(const Scene& scene, std::uint64_t tick, VisibleSets& sets) {
+  CarStats stats;
   sets.cars.clear();
   const auto unseen = [&](const CarState& car) {
     const auto ball = culling::narrow(culling::SphereD{car.position, kCarRadius}, scene.tree.origin);
@@ -29,10 +30,11 @@ void find_cars(const Scene& scene, std::uint64_t tick, VisibleSets& sets) {
   for (const LeafRun& run : sets.blocks()) {
     const auto first = static_cast<std::ptrdiff_t>(sets.cars.size());
     for (std::uint32_t block = run.first; block < run.last; ++block)
-      cars_of_block(scene.traffic, block, tick, sets.cars);
+      stats += cars_of_block(scene.traffic, block, tick, sets.cars);
     if (!run.inside())
       sets.cars.erase(std::remove_if(sets.cars.begin() + first, sets.cars.end(), unseen), sets.cars.end());
   }
+  return stats;
 }
 
 }  // namespace manzana

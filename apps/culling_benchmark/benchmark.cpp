@@ -4,6 +4,7 @@
 
 #include "apps/common/progress_bar.h"
 #include "apps/common/whole_file.h"
+#include "apps/culling_benchmark/cars.h"
 #include "apps/culling_benchmark/catalogue.h"
 #include "apps/culling_benchmark/child.h"
 #include "apps/culling_benchmark/extremes.h"
@@ -26,7 +27,7 @@ std::string columns_md() {
          "## summary.csv; front.csv has its rows that are best in the trade\n" +
          explain(summary_columns()) + "\n## runs.csv\n" + explain(run_columns()) +
          "\n## frames/CASE_PEER.csv (first process)\n" + explain(frame_columns()) + paper_columns_md() +
-         extremes_columns_md();
+         extremes_columns_md() + cars_columns_md();
 }
 
 /// What ended in the middle of writing a file leaves its part.
@@ -55,6 +56,18 @@ std::string extremes_section(const Options& options, std::vector<std::string>& w
   return extremes_md(extremes);
 }
 
+/// Empty when it is not asked for.
+std::string cars_section(const Options& options) {
+  if (!with_cars(options)) return {};
+  apps::ProgressBar bar(stderr);
+  const CarsRun run = run_cars({.seed = options.seed}, [&](double done) {
+    throw_if_interrupted();
+    bar.show("cars", done);
+  });
+  write_cars(options.out, run);
+  return cars_md(run);
+}
+
 int time_all(const Options& options, const std::vector<std::string>& arguments) {
   for (const std::string& name : cases_of(options)) look_up_case(name);
   apps::make_folder(options.out);
@@ -67,10 +80,10 @@ int time_all(const Options& options, const std::vector<std::string>& arguments) 
     apps::write_whole(options.out / "front.csv", to_csv(front));
   apps::write_whole(options.out / "columns.md", columns_md());
   const PaperPart paper = with_paper(options) ? measure_paper(options, arguments) : PaperPart{};
-  const std::string extremes = extremes_section(options, wrong);
+  const std::string cars = cars_section(options), extremes = extremes_section(options, wrong);
   const auto plots = draw_all(options.out, all_plots(options, table, paper));
   apps::write_whole(options.out / "report.md",
-                    report_md(options, table, wrong, plots) + extremes + paper_section(paper, plots));
+                    report_md(options, table, wrong, plots) + cars + extremes + paper_section(paper, plots));
   std::printf("written to %s; read report.md first\n", options.out.c_str());
   for (const std::string& line : wrong) std::fprintf(stderr, "WRONG: %s\n", line.c_str());
   return wrong.empty() ? 0 : 1;

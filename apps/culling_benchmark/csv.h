@@ -59,6 +59,14 @@ std::string to_line(const Row& row, std::span<const Column<Row>> columns) {
   return line + "\n";
 }
 
+/// Head and rows.
+template <class Row>
+std::string to_csv(std::span<const Row> rows, std::span<const Column<Row>> columns) {
+  std::string text = head_line(columns);
+  for (const Row& row : rows) text += to_line(row, columns);
+  return text;
+}
+
 /// Nothing when a cell is missing or no value of its column.
 template <class Row>
 std::optional<Row> from_line(std::string_view line, std::span<const Column<Row>> columns) {

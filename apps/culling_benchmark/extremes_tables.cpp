@@ -39,13 +39,6 @@ constexpr std::array kFarColumns{
     Column<FarRow>{"outward_m", "m", "the far plane lies that much too far, at most", &FarRow::outward_m},
 };
 
-template <class R>
-std::string table(const std::vector<R>& rows, std::span<const Column<R>> columns) {
-  std::string text = head_line<R>(columns);
-  for (const R& row : rows) text += to_line(row, columns);
-  return text;
-}
-
 std::size_t place_of(std::vector<std::string>& all, const std::string& name) {
   const auto found = std::find(all.begin(), all.end(), name);
   if (found != all.end()) return static_cast<std::size_t>(found - all.begin());
@@ -98,8 +91,8 @@ std::string depths_text(double near_m, double far_m) {
 std::string by_field(const ExtremesRow& row) { return to_cell(row.fovy_deg); }
 
 void write_extremes(const std::filesystem::path& folder, const Extremes& extremes) {
-  apps::write_whole(folder / "extremes.csv", table<ExtremesRow>(extremes.rows, kRowColumns));
-  apps::write_whole(folder / "extremes_far.csv", table<FarRow>(extremes.far, kFarColumns));
+  apps::write_whole(folder / "extremes.csv", to_csv<ExtremesRow>(extremes.rows, kRowColumns));
+  apps::write_whole(folder / "extremes_far.csv", to_csv<FarRow>(extremes.far, kFarColumns));
   apps::write_whole(folder / "extremes.svg", extremes_svg(extremes));
 }
 

@@ -11,7 +11,8 @@ bool is_million(const std::string& name) { return name.starts_with("1M"); }
 
 /// What to measure is left to the program.
 bool says_nothing(const Options& options) {
-  return options.cases.empty() && !options.growth && !options.trade && !options.paper && !options.extremes;
+  return options.cases.empty() && !options.growth && !options.trade && !options.paper && !options.extremes &&
+         !options.cars;
 }
 
 }  // namespace
@@ -39,6 +40,8 @@ std::vector<std::string> cases_of(const Options& options) {
 }
 
 bool with_extremes(const Options& options) { return options.extremes || (says_nothing(options) && !options.quick); }
+
+bool with_cars(const Options& options) { return options.cars || (says_nothing(options) && !options.quick); }
 
 bool with_paper(const Options& options) { return options.paper || (says_nothing(options) && !options.quick); }
 

@@ -20,8 +20,9 @@ Rules rules_of(const Options& options);
 double row_seconds(const std::string& case_name);
 
 std::vector<std::string> cases_of(const Options& options);
-/// Whether the experiments of Pina 2009 are drawn.
 bool with_extremes(const Options& options);
+bool with_cars(const Options& options);
+/// Whether the experiments of Pina 2009 are drawn.
 bool with_paper(const Options& options);
 int frames_of(const Options& options, const std::string& case_name);
 

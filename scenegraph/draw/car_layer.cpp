@@ -27,57 +27,22 @@ MeshSet upload_meshes() {
   return set;
 }
 
-std::size_t level_of(double radius_px) {
-  std::size_t level = 0;
-  while (level + 1 < kCarLevels && radius_px < kCarMinRadiusPx[level]) ++level;
-  return level;
-}
-
 }  // namespace
 
 CarLayerGpu::CarLayerGpu(std::size_t cars)
-    : bins(kCarBodies * kCarLevels),
+    : selection(cars),
       meshes(upload_meshes()),
       program(gl::make_program(
           "car", {shaders::version_glsl, shaders::frame_layout_glsl, shaders::frame_glsl, shaders::car_vert},
           {shaders::version_glsl, shaders::frame_layout_glsl, shaders::frame_glsl, shaders::light_glsl,
-           shaders::car_frag})) {
-  mesh_of.reserve(cars);
-}
-
-void count_cars(std::span<const CarState> cars, const Vec3d& eye, double focal_px, CarLayerGpu& layer) {
-  layer.bins.clear();
-  layer.mesh_of.clear();
-  for (const CarState& car : cars) {
-    const double radius_px = culling::projected_radius(kCarRadius, glm::distance(car.position, eye), focal_px);
-    const std::size_t mesh = static_cast<std::size_t>(car_body(car.car)) * kCarLevels + level_of(radius_px);
-    layer.mesh_of.push_back(static_cast<std::uint8_t>(mesh));
-    ++layer.bins.count[mesh];
-  }
-}
-
-Instance place_car(const CarState& car, const Vec3d& up, const Vec3d& eye) {
-  const Vec3d right = glm::normalize(glm::cross(car.forward, up));
-  const Vec3d top = glm::cross(right, car.forward);
-  const Vec3d at = car.position - eye;
-  Instance instance;
-  for (int i = 0; i < 3; ++i) {
-    instance.rows[static_cast<std::size_t>(i)] = Vec4(glm::dvec4(right[i], car.forward[i], top[i], at[i]));
-  }
-  instance.extra = Vec4(car_paint(car.car), 0);
-  return instance;
-}
+           shaders::car_frag})) {}
 
 Drawn draw_cars(CarLayerGpu& layer, const Scene& scene, std::span<const CarState> cars, const Vec3d& eye,
                 gl::StreamBuffer& stream) {
   const auto instances = stream.take<Instance>(cars.size());
-  layer.bins.start();
-  for (std::size_t i = 0; i < cars.size(); ++i) {
-    const std::uint32_t block = scene.traffic.halves[cars[i].half].block;
-    instances.items[layer.bins.next[layer.mesh_of[i]]++] = place_car(cars[i], scene.blocks[block].axes[2], eye);
-  }
+  place_cars(scene, cars, eye, layer.selection, instances.items);
   glUseProgram(layer.program.name());
-  return draw_instances(layer.meshes, layer.bins, stream, instances.offset);
+  return draw_instances(layer.meshes, layer.selection.bins, stream, instances.offset);
 }
 
 }  // namespace manzana::draw

@@ -1,5 +1,7 @@
 #include "scenegraph/draw/car_model.h"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -253,6 +255,21 @@ Vec3 linear(std::uint32_t rgb) {
   return {channel(16), channel(8), channel(0)};
 }
 
+/// Of a hundred cars.
+std::array<Vec3, 100> paints() {
+  struct Share {
+    std::uint32_t rgb, percent;
+  };
+  constexpr std::array kShares{Share{0xe9ebec, 24}, Share{0x15171a, 19}, Share{0x55595e, 18}, Share{0xa9adb2, 13},
+                               Share{0x24406f, 9},  Share{0x8f1d1d, 7},  Share{0x4d6f8e, 4},  Share{0x6d5a45, 2},
+                               Share{0x2f4a36, 2},  Share{0xd9b23a, 1},  Share{0xb85a24, 1}};
+  std::array<Vec3, 100> all;
+  auto next = all.begin();
+  for (const Share& share : kShares) next = std::fill_n(next, share.percent, linear(share.rgb));
+  assert(next == all.end());
+  return all;
+}
+
 }  // namespace
 
 CarMesh make_car(CarBody body, std::size_t level) {
@@ -270,18 +287,8 @@ CarMesh make_car(CarBody body, std::size_t level) {
 }
 
 Vec3 car_paint(std::uint32_t car) {
-  struct Share {
-    std::uint32_t rgb, percent;
-  };
-  constexpr std::array kShares{Share{0xe9ebec, 24}, Share{0x15171a, 19}, Share{0x55595e, 18}, Share{0xa9adb2, 13},
-                               Share{0x24406f, 9},  Share{0x8f1d1d, 7},  Share{0x4d6f8e, 4},  Share{0x6d5a45, 2},
-                               Share{0x2f4a36, 2},  Share{0xd9b23a, 1},  Share{0xb85a24, 1}};
-  std::uint32_t at = hash(car) % 100;
-  for (const Share& share : kShares) {
-    if (at < share.percent) return linear(share.rgb);
-    at -= share.percent;
-  }
-  return linear(kShares.front().rgb);
+  static const std::array<Vec3, 100> kPaints = paints();
+  return kPaints[hash(car) % kPaints.size()];
 }
 
 CarBody car_body(std::uint32_t car) {

@@ -117,7 +117,7 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
   }
   if (quality.shadows && layers.surfaces) {
     if (layers.trees) add(counts, draw_shadows(shadows.tree, trees.meshes, trees.selection.bins));
-    if (layers.cars) add(counts, draw_shadows(shadows.car, cars.meshes, cars.bins));
+    if (layers.cars) add(counts, draw_shadows(shadows.car, cars.meshes, cars.selection.bins));
   }
   if (layers.sky) draw_sky(sky);
 }
@@ -144,7 +144,7 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const cu
     for (std::uint32_t b = run.first; b < run.last; ++b) s.rows[b] = relative_to(view.eye, scene.blocks[b]);
   }
   count_trees(scene.trees, sets.objects(), s.rows, focal_px * s.quality.tree_detail, s.trees.selection);
-  count_cars(sets.cars, view.eye, focal_px * s.quality.car_detail, s.cars);
+  count_cars(sets.cars, view.eye, focal_px * s.quality.car_detail, s.cars.selection);
 
   s.stream.begin(s.bytes_of_frame(sets));
   gl::bind(s.target);

@@ -91,6 +91,16 @@ TEST_CASE("options: the extremes are part of a full run, and may be all of one")
   CHECK(cases_of(*alone.options).empty());
 }
 
+TEST_CASE("options: moving cars are part of a full run, and may be all of one") {
+  CHECK(with_cars(*parse({"--out", "x"}).options));
+  CHECK(!with_cars(*parse({"--out", "x", "--quick"}).options));
+  CHECK(!with_cars(*parse({"--out", "x", "--extremes"}).options));
+  const Parsed alone = parse({"--out", "x", "--cars"});
+  CHECK(with_cars(*alone.options));
+  CHECK(!with_extremes(*alone.options));
+  CHECK(cases_of(*alone.options).empty());
+}
+
 TEST_CASE("options: the paper's experiments are part of a full run, and may be all of one") {
   CHECK(with_paper(*parse({"--out", "x"}).options));
   CHECK(!with_paper(*parse({"--out", "x", "--quick"}).options));
