@@ -25,19 +25,26 @@ void ProgressBar::end_line() {
   open_ = false;
 }
 
-void ProgressBar::show(std::string_view stage, double fraction) {
+void ProgressBar::show(std::string_view stage, double fraction, std::string_view note) {
   const int percent = fraction > 0 ? static_cast<int>(std::min(fraction, 1.0) * 100) : 0;
   const int step = terminal_ ? percent : percent / 25 * 25;
   if (stage == stage_ && step == shown_) return;
   if (stage != stage_) end_line();
   stage_ = stage;
   shown_ = step;
+  const std::string after = note.empty() ? "" : ", " + std::string(note);
   if (terminal_)
-    std::fprintf(out_, "\r%-12s [%s] %3d %%", stage_.c_str(), bar_of(step).c_str(), step);
+    std::fprintf(out_, "\r%-12s [%s] %3d %%%s\033[K", stage_.c_str(), bar_of(step).c_str(), step, after.c_str());
   else
-    std::fprintf(out_, "%s: %d %%\n", stage_.c_str(), step);
+    std::fprintf(out_, "%s: %d %%%s\n", stage_.c_str(), step, after.c_str());
   open_ = terminal_;
   std::fflush(out_);
+}
+
+std::string time_left(double seconds) {
+  const bool long_time = seconds >= 100;
+  return "about " + std::to_string(static_cast<int>(long_time ? seconds / 60 + 0.5 : seconds)) +
+         (long_time ? " min left" : " s left");
 }
 
 }  // namespace manzana::apps

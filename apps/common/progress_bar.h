@@ -16,8 +16,8 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// A stage that is new begins at what is done of it; fractions beyond [0, 1] are clamped.
-  void show(std::string_view stage, double fraction);
+  /// A stage that is new begins at what is done of it; fractions beyond [0, 1] are clamped. The note follows the bar.
+  void show(std::string_view stage, double fraction, std::string_view note = {});
 
  private:
   void end_line();
@@ -28,5 +28,8 @@ class ProgressBar {
   std::string stage_;
   int shown_ = -1;  // percent on the terminal, quarters otherwise
 };
+
+/// "about 12 min left", "about 40 s left"
+std::string time_left(double seconds);
 
 }  // namespace manzana::apps

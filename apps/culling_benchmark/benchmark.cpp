@@ -46,10 +46,11 @@ std::vector<Script> all_plots(const Options& options, std::span<const SummaryRow
 /// Empty when it is not asked for.
 std::string extremes_section(const Options& options, std::vector<std::string>& wrong) {
   if (!with_extremes(options)) return {};
+  const double left = besides(options).extremes;
   apps::ProgressBar bar(stderr);
   const Extremes extremes = run_extremes({.seed = options.seed, .cameras = options.quick ? 20 : 100}, [&](double done) {
     throw_if_interrupted();
-    bar.show("extremes", done);
+    bar.show("extremes", done, apps::time_left(left * (1 - done)));
   });
   write_extremes(options.out, extremes);
   for (const std::string& line : extremes_faults(extremes)) wrong.push_back(line);
@@ -59,10 +60,11 @@ std::string extremes_section(const Options& options, std::vector<std::string>& w
 /// Empty when it is not asked for.
 std::string cars_section(const Options& options) {
   if (!with_cars(options)) return {};
+  const Besides left = besides(options);
   apps::ProgressBar bar(stderr);
   const CarsRun run = run_cars({.seed = options.seed}, [&](double done) {
     throw_if_interrupted();
-    bar.show("cars", done);
+    bar.show("cars", done, apps::time_left(left.cars * (1 - done) + left.extremes));
   });
   write_cars(options.out, run);
   return cars_md(run);
@@ -79,6 +81,7 @@ int time_all(const Options& options, const std::vector<std::string>& arguments) 
   if (const auto front = trade_front(table); !front.empty())
     apps::write_whole(options.out / "front.csv", to_csv(front));
   apps::write_whole(options.out / "columns.md", columns_md());
+  std::filesystem::remove_all(truth_folder(options));
   const PaperPart paper = with_paper(options) ? measure_paper(options, arguments) : PaperPart{};
   const std::string cars = cars_section(options), extremes = extremes_section(options, wrong);
   const auto plots = draw_all(options.out, all_plots(options, table, paper));

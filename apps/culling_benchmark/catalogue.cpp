@@ -74,10 +74,14 @@ std::vector<std::string> peers_for(const Options& options, const std::string& ca
           family != Family::growth || std::find(followed.begin(), followed.end(), slug) != followed.end();
       if (wanted && slug != "bqr") peers.push_back(slug);
     }
+  if (case_name == "1M-1km") peers.emplace_back(kSmallerCity);
   return peers;
 }
 
 const baselines::PeerInfo* peer_info(std::string_view slug) {
+  static const baselines::PeerInfo smaller{kSmallerCity, "bqr, where there are 100 000 objects",
+                                           baselines::Grain::object, true, baselines::find_peer("bqr")->make};
+  if (slug == kSmallerCity) return &smaller;
   if (const auto* peer = baselines::find_peer(slug)) return peer;
   const auto variants = trade_peers();
   const auto found = std::find_if(variants.begin(), variants.end(), [&](const auto& p) { return p.slug == slug; });

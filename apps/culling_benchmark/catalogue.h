@@ -8,6 +8,9 @@
 
 namespace manzana::culling_benchmark {
 
+/// Beside 1M-1km bqr is also timed in this case, under this name: how the query grows with the city.
+inline constexpr const char *kSmallerCase = "100k-1km", *kSmallerCity = "bqr-100k";
+
 enum class Family : std::uint8_t { speed, growth, trade, file };
 
 struct CaseInfo {
@@ -27,7 +30,7 @@ void look_up_case(const std::string& name);
 
 /// The structures that a run measures in that case, bqr first.
 std::vector<std::string> peers_for(const Options& options, const std::string& case_name);
-/// Of culling/baselines/peer.h or of trade.h. nullptr: no such structure.
+/// Of culling/baselines/peer.h or of trade.h, or kSmallerCity. nullptr: no such structure.
 const baselines::PeerInfo* peer_info(std::string_view slug);
 /// Not when its library is missing, or the city would not fit the memory.
 bool can_measure(const std::string& case_name, std::string_view peer);

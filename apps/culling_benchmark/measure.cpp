@@ -10,6 +10,7 @@
 #include "apps/culling_benchmark/machine.h"
 #include "apps/culling_benchmark/rules.h"
 #include "apps/culling_benchmark/statistics.h"
+#include "apps/culling_benchmark/stock.h"
 #include "apps/culling_benchmark/truth.h"
 #include "culling/hash.h"
 
@@ -23,22 +24,33 @@ double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-struct Built {
-  std::unique_ptr<Peer> peer;
-  double ms = 0;
-  std::vector<std::unique_ptr<Peer>> more;  // one for each other thread
-  Contender contender() const {
-    Contender all{peer.get(), {}};
-    for (const auto& one : more) all.company.push_back(one.get());
-    return all;
-  }
+/// A case's workload with what is exactly in view.
+struct Scene {
+  Workload work;
+  Truth truth;
 };
-Built build(const PeerInfo& info, const Workload& work) {
-  const double start = seconds_now();
-  Built built{info.make(*work.city), 0, {}};
-  built.ms = (seconds_now() - start) * 1e3;
-  for (int thread = 1; thread < work.info.threads; ++thread) built.more.push_back(info.make(*work.city));
-  return built;
+
+/// With a copy for each thread, the first of them of that number.
+Contender contender(Stock& stock, const PeerInfo& info, const Workload& work, std::size_t first) {
+  Contender all{stock.get(info, work.city, first).peer.get(), {}, &work.frusta};
+  for (std::size_t more = 1; more < static_cast<std::size_t>(work.info.threads); ++more)
+    all.company.push_back(stock.get(info, work.city, first + more).peer.get());
+  return all;
+}
+
+std::vector<const PeerInfo*> missing(const Options& options, const std::string& name, int process,
+                                     std::span<const RunRow> finished) {
+  std::vector<const PeerInfo*> todo;
+  for (const std::string& slug : peers_for(options, name))
+    if (can_measure(name, slug) && !is_finished(finished, expected_row(options, name, slug, process)))
+      todo.push_back(peer_info(slug));
+  return todo;
+}
+
+/// What is missing of a case gets its part of the case's time.
+double seconds_for(const Options& options, const std::string& name, int process, std::span<const RunRow> finished) {
+  return case_seconds(options, name) * static_cast<double>(missing(options, name, process, finished).size()) /
+         static_cast<double>(peers_for(options, name).size());
 }
 
 void set_times(RunRow& row, const PairTimes& times, const Conditions& during) {
@@ -72,12 +84,10 @@ class Measurer {
   }
 
   void run() {
-    const auto cases = cases_of(options_);
-    double shares = 0, used = 0;
-    for (const std::string& name : cases) shares += share_of(name);
-    for (const std::string& name : cases) {
-      used += share_of(name);
-      case_end_ = start_ + rules_.seconds * used / shares;
+    end_ = seconds_now() + expected_seconds(options_, options_.process, finished_);
+    case_end_ = seconds_now();
+    for (const std::string& name : cases_of(options_)) {
+      case_end_ += seconds_for(options_, name, options_.process, finished_);
       measure_case(name);
     }
   }
@@ -85,67 +95,76 @@ class Measurer {
  private:
   void note_calibration(double ms) { best_calibration_ms_ = std::min(best_calibration_ms_, ms); }
 
-  std::vector<const PeerInfo*> missing(const std::string& name) const {
-    std::vector<const PeerInfo*> todo;
-    for (const std::string& slug : peers_for(options_, name)) {
-      const RunRow expected = expected_row(options_, name, slug, options_.process);
-      if (can_measure(name, slug) && !is_finished(finished_, expected)) todo.push_back(peer_info(slug));
-    }
-    return todo;
+  Scene scene_of(const std::string& name, int frames) {
+    Workload work = make_workload(name, options_.seed, frames, cities_);
+    Truth truth = kept_truth(work, truth_folder(options_));
+    return {std::move(work), std::move(truth)};
   }
 
   void measure_case(const std::string& name) {
-    const auto todo = missing(name);
+    const auto todo = missing(options_, name, options_.process, finished_);
     if (todo.empty()) return;
-    const std::string stage = rules_.processes > 1 ? std::to_string(options_.process) + ": " + name : name;
-    tell_.progress(stage, 0);
-    const Workload work = make_workload(name, options_.seed, frames_of(options_, name), cities_);
-    const Truth truth = find_truth(work);
-    const Built bqr = build(*peer_info("bqr"), work);
-    bqr_us_ = query_times(check(*bqr.peer, work, truth));
+    tell(name, 0);
+    const Scene scene = scene_of(name, frames_of(options_, name));
+    const PeerInfo& bqr = *peer_info("bqr");
+    bqr_ = contender(stock_, bqr, scene.work, 0);
+    bqr_us_ = query_times(check(*bqr_.peer, scene.work, scene.truth));
     for (std::size_t i = 0; i < todo.size(); ++i) {
       row_start_ = seconds_now();
       row_seconds_ = (case_end_ - row_start_) / static_cast<double>(todo.size() - i);
-      tell_.row(measure_row(*todo[i], work, truth, bqr));
-      tell_.progress(stage, static_cast<double>(i + 1) / static_cast<double>(todo.size()));
+      tell_.row(todo[i]->slug == kSmallerCity ? measure_smaller(*todo[i], name)
+                                              : measure_row(name, *todo[i], scene, stock_));
+      tell(name, static_cast<double>(i + 1) / static_cast<double>(todo.size()));
     }
   }
 
-  RunRow measure_row(const PeerInfo& info, const Workload& work, const Truth& truth, const Built& bqr) {
-    RunRow row = expected_row(options_, work.info.name, info.slug, options_.process);
+  void tell(const std::string& name, double fraction) const {
+    const std::string process = rules_.processes > 1 ? std::to_string(options_.process) + ": " : "";
+    tell_.progress(process + name, fraction, std::max(end_ - seconds_now(), 0.0));
+  }
+
+  /// The same flight through the smaller city: as many frames.
+  RunRow measure_smaller(const PeerInfo& info, const std::string& name) {
+    Stock stock;
+    return measure_row(name, info, scene_of(kSmallerCase, frames_of(options_, name)), stock);
+  }
+
+  RunRow measure_row(const std::string& name, const PeerInfo& info, const Scene& scene, Stock& stock) {
+    RunRow row = expected_row(options_, name, info.slug, options_.process);
+    const Workload& work = scene.work;
     row.grain = info.grain == baselines::Grain::block ? "block" : "object";
     row.objects = work.city->objects();
     row.blocks = work.city->blocks.size();
-    const Built built = build(info, work);
-    row.build_ms = built.ms;
-    row.bytes = built.peer->bytes();
-    const std::vector<Counts> counts = check(*built.peer, work, truth);
+    const std::size_t first = info.slug == "bqr" ? static_cast<std::size_t>(work.info.threads) : 0;  // another bqr
+    const Contender peer = contender(stock, info, work, first);
+    row.build_ms = stock.get(info, work.city, first).build_ms;
+    row.bytes = peer.peer->bytes();
+    const std::vector<Counts> counts = check(*peer.peer, work, scene.truth);
     set_counts(row, sum(counts));
-    time_until_clean(row, bqr.contender(), built.contender(), work, counts);
+    time_until_clean(row, peer, work.info, counts);
     row.date = now_utc();
     return row;
   }
 
-  Limits limits_now(const std::string& case_name) const {
+  Limits limits_now() const {
     Limits limits = rules_.limits;
-    limits.seconds = rules_.seconds > 0 ? row_start_ + row_seconds_ - seconds_now() : row_seconds(case_name);
+    limits.seconds = row_start_ + row_seconds_ - seconds_now();
     return limits;
   }
 
-  void time_until_clean(RunRow& row, const Contender& bqr, const Contender& peer, const Workload& work,
-                        const std::vector<Counts>& counts) {
-    const Plan plan =
-        plan_pairs(limits_now(work.info.name), bqr_us_, query_times(counts), work.info.cold ? stream_us() : 0);
+  void time_until_clean(RunRow& row, const Contender& peer, const CaseInfo& info, const std::vector<Counts>& counts) {
+    const Plan plan = plan_pairs(limits_now(), bqr_us_, query_times(counts), info.cold ? stream_us() : 0);
     row.timed_frames = plan.frames.size();
     row.pairs = plan.pairs;
     for (row.attempts = 1;; ++row.attempts) {
       const double start = seconds_now();
       const Watch watch;
-      const PairTimes times = time_pairs(bqr, peer, work, plan, hash_bits(row.seed, row.process * 64 + row.attempts));
+      const PairTimes times =
+          time_pairs(bqr_, peer, info.cold, plan, hash_bits(row.seed, row.process * 64 + row.attempts));
       const Conditions during = watch.stop();
       note_calibration(during.calibration_ms);
       set_times(row, times, during);
-      row.dirty = disturbed(during, best_calibration_ms_, work.info.threads) ? 1 : 0;
+      row.dirty = disturbed(during, best_calibration_ms_, info.threads) ? 1 : 0;
       if (row.dirty == 0 || row.attempts == kAttempts || !time_for(seconds_now() - start)) {
         if (row.process == 1) write_frames(row, plan, times, counts);
         return;
@@ -153,9 +172,7 @@ class Measurer {
     }
   }
 
-  bool time_for(double seconds) const {
-    return rules_.seconds <= 0 || seconds_now() + seconds < row_start_ + row_seconds_;
-  }
+  bool time_for(double seconds) const { return seconds_now() + seconds < row_start_ + row_seconds_; }
 
   void write_frames(const RunRow& row, const Plan& plan, const PairTimes& times, const std::vector<Counts>& counts) {
     const auto folder = options_.out / "frames";
@@ -169,8 +186,10 @@ class Measurer {
   const Tell& tell_;
   Rules rules_;
   Cities cities_;
-  double start_ = seconds_now(), case_end_ = 0, row_start_ = 0, row_seconds_ = 0;
+  Stock stock_;
+  double end_ = 0, case_end_ = 0, row_start_ = 0, row_seconds_ = 0;
   double best_calibration_ms_ = 1e9;
+  Contender bqr_;               // of the case
   std::vector<double> bqr_us_;  // of each frame, once
 };
 
@@ -178,6 +197,12 @@ class Measurer {
 
 void measure(const Options& options, std::span<const RunRow> finished, const Tell& tell) {
   Measurer(options, finished, tell).run();
+}
+
+double expected_seconds(const Options& options, int process, std::span<const RunRow> finished) {
+  double seconds = 0;
+  for (const std::string& name : cases_of(options)) seconds += seconds_for(options, name, process, finished);
+  return seconds;
 }
 
 RunRow expected_row(const Options& options, const std::string& case_name, std::string_view peer, int process) {

@@ -12,6 +12,7 @@
 #include "apps/culling_benchmark/machine.h"
 #include "apps/culling_benchmark/paper_record.h"
 #include "apps/culling_benchmark/paper_text.h"
+#include "apps/culling_benchmark/rules.h"
 #include "gl/context.h"
 
 namespace manzana::culling_benchmark {
@@ -21,12 +22,12 @@ constexpr const char* kRecord = "paper_frames.csv";
 
 /// Six parts: the range of six ratios holds the true median with 96.9 %, whatever their distribution.
 paper::PaperOptions paper_options(const Options& options) {
-  constexpr int kParts = 6, kQuickFrames = 36;
+  constexpr int kParts = 6, kQuickFrames = 36, kFrames = 90;
   paper::PaperOptions chosen;
-  chosen.frames = options.frames.value_or(options.quick ? kQuickFrames : chosen.frames);
+  chosen.frames = options.frames.value_or(options.quick ? kQuickFrames : kFrames);
   chosen.parts = std::min(kParts, chosen.frames);
   chosen.seed = options.seed;
-  if (options.quick) chosen.budget_s = 50;
+  chosen.budget_s = besides(options).paper;
   return chosen;
 }
 
@@ -40,14 +41,18 @@ std::string read_record(const Options& options) {
 }
 
 /// Empty, or why it could not.
-std::string draw_in_child(const std::vector<std::string>& arguments) {
+std::string draw_in_child(const Options& options, const std::vector<std::string>& arguments) {
   std::vector<std::string> command{"/proc/self/exe"};
   command.insert(command.end(), arguments.begin(), arguments.end());
   command.emplace_back("--paper-process");
   apps::ProgressBar bar(stderr);
   std::string why;
   const int code = run_child(command, [&](const std::string& line) {
-    if (line.starts_with("at ")) bar.show("Pina 2009", std::stod(line.substr(3)));
+    if (line.starts_with("at ")) {
+      const double done = std::stod(line.substr(3));
+      const Besides left = besides(options);
+      bar.show("Pina 2009", done, apps::time_left(left.paper * (1 - done) + left.cars + left.extremes));
+    }
     if (line.starts_with("cannot ")) why = line.substr(7);
   });
   if (code == 0) return why;
@@ -79,7 +84,7 @@ void run_paper_process(const Options& options) {
 
 PaperPart measure_paper(const Options& options, const std::vector<std::string>& arguments) {
   PaperPart part;
-  part.why_not = draw_in_child(arguments);
+  part.why_not = draw_in_child(options, arguments);
   if (!part.why_not.empty()) return part;
   part.run = paper::unmeasured(paper::paper_lanes(), paper_options(options));
   paper::restore(part.run, read_record(options), made_by());

@@ -1,5 +1,7 @@
 #pragma once
 /// How much is measured: quickly, or by the rules for what is to be believed.
+#include <filesystem>
+
 #include "apps/culling_benchmark/options.h"
 #include "apps/culling_benchmark/timing.h"
 
@@ -12,21 +14,28 @@ inline constexpr int kAttempts = 4;  ///< the first, and up to three more when t
 struct Rules {
   std::string mode;  ///< quick or full
   int processes = kProcesses;
-  double seconds = 0;  ///< a process may take that long; 0: as long as it needs
-  Limits limits;       ///< of one row; `seconds` are those of row_seconds, or what is left
+  Limits limits;  ///< of one row; its seconds are what case_seconds leaves
 };
 Rules rules_of(const Options& options);
-/// Of a case when there is no hurry.
-double row_seconds(const std::string& case_name);
+/// What a case is given in each process, with all that it needs; what it leaves goes to the next ones. A quick run
+/// shares what there is over its cases.
+double case_seconds(const Options& options, const std::string& case_name);
+
+/// Where the processes of a run leave the truth for each other; gone when all is measured.
+std::filesystem::path truth_folder(const Options& options);
 
 std::vector<std::string> cases_of(const Options& options);
 bool with_extremes(const Options& options);
 bool with_cars(const Options& options);
 /// Whether the experiments of Pina 2009 are drawn.
 bool with_paper(const Options& options);
-int frames_of(const Options& options, const std::string& case_name);
 
-/// Of the time of a quick run that a case gets, in parts.
-double share_of(const std::string& case_name);
+/// The parts that follow the cases, in their order, and what each may take, seconds; 0: not wanted.
+struct Besides {
+  double paper = 0, cars = 0, extremes = 0;
+};
+Besides besides(const Options& options);
+
+int frames_of(const Options& options, const std::string& case_name);
 
 }  // namespace manzana::culling_benchmark

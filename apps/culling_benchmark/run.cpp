@@ -15,7 +15,7 @@ namespace manzana::culling_benchmark {
 namespace {
 
 constexpr const char* kRow = "row ";
-constexpr const char* kProgress = "at ";  // fraction, a space, the stage
+constexpr const char* kProgress = "at ";  // fraction, seconds left, the stage
 
 std::vector<RunRow> rows_in(const std::filesystem::path& folder) {
   std::ifstream in(folder / "runs.csv", std::ios::binary);
@@ -74,6 +74,10 @@ class Parent {
   }
 
   void start(int process) {
+    const Besides more = besides(options_);
+    seconds_after_ = more.paper + more.cars + more.extremes;
+    for (int later = process + 1; later <= rules_of(options_).processes; ++later)
+      seconds_after_ += expected_seconds(options_, later, rows_);
     std::vector<std::string> command{"/proc/self/exe"};
     command.insert(command.end(), arguments_.begin(), arguments_.end());
     command.insert(command.end(), {"--process", std::to_string(process)});
@@ -89,11 +93,11 @@ class Parent {
       if (auto row = from_line(std::string_view(line).substr(4), run_columns())) keep(*std::move(row));
     } else if (line.starts_with(kProgress)) {
       std::istringstream in(line.substr(3));
-      double fraction = 0;
+      double fraction = 0, seconds_left = 0;
       std::string stage;
-      in >> fraction >> std::ws;
+      in >> fraction >> seconds_left >> std::ws;
       std::getline(in, stage);
-      bar_.show(stage, fraction);
+      bar_.show(stage, fraction, apps::time_left(seconds_left + seconds_after_));
     }
   }
 
@@ -105,6 +109,7 @@ class Parent {
   const Options& options_;
   const std::vector<std::string>& arguments_;
   std::vector<RunRow> wanted_, rows_;
+  double seconds_after_ = 0;  // of what follows this process
   apps::ProgressBar bar_;
 };
 
@@ -120,8 +125,8 @@ void run_process(const Options& options) {
                     std::printf("%s%s", kRow, to_line(row, run_columns()).c_str());
                     std::fflush(stdout);
                   },
-                  [](const std::string& stage, double fraction) {
-                    std::printf("%s%g %s\n", kProgress, fraction, stage.c_str());
+                  [](const std::string& stage, double fraction, double seconds_left) {
+                    std::printf("%s%g %g %s\n", kProgress, fraction, seconds_left, stage.c_str());
                     std::fflush(stdout);
                   }};
   measure(options, usable(rows_in(options.out), options), tell);

@@ -39,9 +39,10 @@ Stream& stream() {
 /// Flies with others while it lives.
 class Company {
  public:
-  Company(const std::vector<Peer*>& peers, const Workload& work, const std::vector<std::size_t>& frames) {
-    for (Peer* peer : peers) threads_.emplace_back([this, peer, &work, &frames] { fly(*peer, work, frames); });
-    while (under_way_ < peers.size()) std::this_thread::yield();
+  Company(const Contender& contender, const std::vector<std::size_t>& frames) {
+    for (Peer* peer : contender.company)
+      threads_.emplace_back([this, peer, &contender, &frames] { fly(*peer, *contender.flight, frames); });
+    while (under_way_ < contender.company.size()) std::this_thread::yield();
   }
   ~Company() {
     landing_ = true;
@@ -51,10 +52,10 @@ class Company {
   Company& operator=(const Company&) = delete;
 
  private:
-  void fly(Peer& peer, const Workload& work, const std::vector<std::size_t>& frames) {
+  void fly(Peer& peer, const std::vector<culling::FrustumD>& flight, const std::vector<std::size_t>& frames) {
     Answer answer;
     for (std::size_t i = 0; !landing_; i = (i + 1) % frames.size()) {
-      peer.query(work.frusta[frames[i]], answer);
+      peer.query(flight[frames[i]], answer);
       if (i == 0) ++under_way_;
     }
   }
@@ -66,23 +67,23 @@ class Company {
 
 class Rounds {
  public:
-  Rounds(const Workload& work, const std::vector<std::size_t>& frames)
-      : work_(work), frames_(frames), overhead_us_(clock_overhead_us()), us_(frames.size()) {}
+  Rounds(bool cold, const std::vector<std::size_t>& frames)
+      : cold_(cold), frames_(frames), overhead_us_(clock_overhead_us()), us_(frames.size()) {}
 
   /// The times of one flight, valid until the next.
   const std::vector<double>& fly(const Contender& contender, Answer& answer) {
-    const Company company(contender.company, work_, frames_);
+    const Company company(contender, frames_);
     for (std::size_t i = 0; i < frames_.size(); ++i) {
-      if (work_.info.cold) stream().flow();
+      if (cold_) stream().flow();
       const auto start = Clock::now();
-      contender.peer->query(work_.frusta[frames_[i]], answer);
+      contender.peer->query((*contender.flight)[frames_[i]], answer);
       us_[i] = std::max(us_since(start) - overhead_us_, 1e-3);  // a nanosecond: a ratio needs more than nothing
     }
     return us_;
   }
 
  private:
-  const Workload& work_;
+  bool cold_;
   const std::vector<std::size_t>& frames_;
   double overhead_us_;
   std::vector<double> us_;
@@ -126,9 +127,8 @@ Plan plan_pairs(const Limits& limits, const std::vector<double>& bqr_us, const s
   return {choose_frames(n, bqr_us, peer_us), pairs};
 }
 
-PairTimes time_pairs(const Contender& bqr, const Contender& peer, const Workload& work, const Plan& plan,
-                     std::uint64_t seed) {
-  Rounds rounds(work, plan.frames);
+PairTimes time_pairs(const Contender& bqr, const Contender& peer, bool cold, const Plan& plan, std::uint64_t seed) {
+  Rounds rounds(cold, plan.frames);
   Answer of_bqr, of_peer;
   PairTimes times;
   std::vector<std::vector<double>> by_frame(plan.frames.size());

@@ -2,7 +2,7 @@
 /// Two structures timed side by side. A round is one flight, each query timed alone; a pair is a round of each, in an
 /// order that chance decides.
 ///   const Plan plan = plan_pairs(limits, bqr_us, peer_us, 0);
-///   const PairTimes times = time_pairs({&bqr, {}}, {&peer, {}}, work, plan, seed);
+///   const PairTimes times = time_pairs({&bqr, {}, &frusta}, {&peer, {}, &frusta}, cold, plan, seed);
 #include <cstdint>
 #include <vector>
 
@@ -31,14 +31,15 @@ Plan plan_pairs(const Limits& limits, const std::vector<double>& bqr_us, const s
 struct Contender {
   baselines::Peer* peer = nullptr;
   std::vector<baselines::Peer*> company;
+  const std::vector<culling::FrustumD>* flight = nullptr;  ///< both of a pair have as many frames
 };
 
 struct PairTimes {
   std::vector<double> peer_us, bqr_us;  ///< a row a pair: the median over the round's frames
   std::vector<double> frame_us;         ///< of the peer: a row a timed frame, the median over the rounds
 };
-PairTimes time_pairs(const Contender& bqr, const Contender& peer, const Workload& work, const Plan& plan,
-                     std::uint64_t seed);
+/// cold: memory is streamed between two queries.
+PairTimes time_pairs(const Contender& bqr, const Contender& peer, bool cold, const Plan& plan, std::uint64_t seed);
 
 /// What a reading of the clock adds to what is timed, microseconds.
 double clock_overhead_us();

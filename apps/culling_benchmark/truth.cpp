@@ -3,11 +3,17 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <chrono>
+#include <fstream>
+#include <optional>
 #include <span>
 
+#include "apps/common/whole_file.h"
+#include "apps/culling_benchmark/machine.h"
 #include "culling/baselines/exact.h"
+#include "culling/hash.h"
 
 namespace manzana::culling_benchmark {
 namespace {
@@ -50,7 +56,51 @@ Counts compare(const Answer& answer, const Peer& peer, const City& city, std::ve
   return counts;
 }
 
+/// Of all that the truth depends on.
+std::string key_of(const Workload& work) {
+  std::uint64_t key = 0;
+  const auto add = [&](const auto& value) {
+    for (const std::uint64_t word : std::bit_cast<std::array<std::uint64_t, sizeof(value) / 8>>(value))
+      key = hash_bits(key, word);
+  };
+  for (const culling::BoxD& box : work.city->boxes) add(box);
+  for (const culling::View& view : work.views) add(view);
+  for (const char c : this_machine().commit) key = hash_bits(key, static_cast<std::uint64_t>(c));
+  return std::to_string(key);
+}
+
+std::size_t words_of(const Workload& work) { return (work.city->objects() + 63) / 64; }
+
+/// Nothing when there is no such file, or only a part of it.
+std::optional<Truth> read_truth(const Workload& work, const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  Truth truth;
+  for (std::size_t frame = 0; frame < work.views.size(); ++frame) {
+    truth.bits.emplace_back(words_of(work));
+    const auto bytes = static_cast<std::streamsize>(words_of(work) * sizeof(std::uint64_t));
+    if (!in.read(reinterpret_cast<char*>(truth.bits.back().data()), bytes)) return std::nullopt;
+    truth.seen.push_back(ones(truth.bits.back()));
+  }
+  return truth;
+}
+
+std::string bytes_of(const Truth& truth) {
+  std::string bytes;
+  for (const auto& frame : truth.bits)
+    bytes.append(reinterpret_cast<const char*>(frame.data()), frame.size() * sizeof(std::uint64_t));
+  return bytes;
+}
+
 }  // namespace
+
+Truth kept_truth(const Workload& work, const std::filesystem::path& folder) {
+  const auto file = folder / key_of(work);
+  if (auto kept = read_truth(work, file)) return *std::move(kept);
+  Truth truth = find_truth(work);
+  apps::make_folder(folder);
+  apps::write_whole(file, bytes_of(truth));
+  return truth;
+}
 
 Truth find_truth(const Workload& work) {
   Truth truth;

@@ -3,6 +3,7 @@
 ///   const Truth truth = find_truth(work);
 ///   const std::vector<Counts> counts = check(*peer, work, truth);      // a row a frame
 #include <cstdint>
+#include <filesystem>
 #include <vector>
 
 #include "apps/culling_benchmark/workload.h"
@@ -15,6 +16,10 @@ struct Truth {
   std::vector<std::uint64_t> seen;               ///< how many are set
 };
 Truth find_truth(const Workload& work);
+
+/// The same; each process of a run finds what the first one left in `folder`. A file is named by its city's boxes, its
+/// views and this program's commit. Throws std::runtime_error when it cannot be written.
+Truth kept_truth(const Workload& work, const std::filesystem::path& folder);
 
 /// Of one frame, or of many. An object that an answer holds twice is accepted twice.
 struct Counts {

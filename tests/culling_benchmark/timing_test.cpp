@@ -97,7 +97,8 @@ TEST_CASE("pairs: a structure that takes three times as long is found to, whoeve
   Cities cities;
   const Workload work = make_workload("C1", 1, 20, cities);
   Waiting quick(20, 1), slow(60, 1);
-  const PairTimes times = time_pairs({&quick, {}}, {&slow, {}}, work, {flight_of(20), 15}, 1);
+  const PairTimes times =
+      time_pairs({&quick, {}, &work.frusta}, {&slow, {}, &work.frusta}, false, {flight_of(20), 15}, 1);
   REQUIRE(times.peer_us.size() == 15);
   REQUIRE(times.bqr_us.size() == 15);
   CHECK(times.frame_us.size() == 20);
@@ -114,7 +115,8 @@ TEST_CASE("pairs: the clock's own time is not counted") {
   Cities cities;
   const Workload work = make_workload("C1", 1, 20, cities);
   Waiting nothing(0, 1), neither(0, 1);
-  const PairTimes times = time_pairs({&nothing, {}}, {&neither, {}}, work, {flight_of(20), 50}, 1);
+  const PairTimes times =
+      time_pairs({&nothing, {}, &work.frusta}, {&neither, {}, &work.frusta}, false, {flight_of(20), 50}, 1);
   CHECK(median(times.peer_us) < 2 * overhead + 0.1);
 }
 
@@ -157,7 +159,7 @@ TEST_CASE("pairs: in company the others fly too, and land when the round is over
   Cities cities;
   const Workload work = make_workload("C1", 1, 20, cities);
   Waiting bqr(5, 1), peer(5, 1), of_bqr(1, 1), of_peer(1, 1);
-  time_pairs({&bqr, {&of_bqr}}, {&peer, {&of_peer}}, work, {flight_of(20), 5}, 1);
+  time_pairs({&bqr, {&of_bqr}, &work.frusta}, {&peer, {&of_peer}, &work.frusta}, false, {flight_of(20), 5}, 1);
   CHECK(bqr.queries == 20 * 6);
   CHECK(of_bqr.queries >= 6);
   CHECK(of_peer.queries >= 6);
