@@ -34,7 +34,7 @@ void ProgressBar::show(std::string_view stage, double fraction, std::string_view
   shown_ = step;
   const std::string after = note.empty() ? "" : ", " + std::string(note);
   if (terminal_)
-    std::fprintf(out_, "\r%-12s [%s] %3d %%%s\033[K", stage_.c_str(), bar_of(step).c_str(), step, after.c_str());
+    std::fprintf(out_, "\r\033[K%-12s [%s] %3d %%%s", stage_.c_str(), bar_of(step).c_str(), step, after.c_str());
   else
     std::fprintf(out_, "%s: %d %%%s\n", stage_.c_str(), step, after.c_str());
   open_ = terminal_;

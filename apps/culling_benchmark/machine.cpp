@@ -32,6 +32,22 @@ std::string processor() {
          " cores";
 }
 
+/// "32K, 1024K, 32768K" of the first core, without that for instructions; empty where there is no /sys.
+std::string caches() {
+  std::string text;
+  for (const int index : {0, 2, 3}) {
+    std::ifstream in("/sys/devices/system/cpu/cpu0/cache/index" + std::to_string(index) + "/size");
+    if (std::string size; in >> size) text += (text.empty() ? "" : ", ") + size;
+  }
+  return text;
+}
+
+/// Highway's AVX3 is what others call AVX-512.
+std::string simd() {
+  const std::string target = culling::simd_target();
+  return target.starts_with("AVX3") ? target + " (AVX-512)" : target;
+}
+
 std::string memory() {
   const double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
   return std::to_string(static_cast<int>(bytes / (1 << 30) + 0.5)) + " GiB";
@@ -54,8 +70,7 @@ std::string compiler() {
 }  // namespace
 
 const Machine& this_machine() {
-  static const Machine machine{processor(),   memory(), system_name(), compiler(), culling::simd_target(),
-                               MANZANA_COMMIT};
+  static const Machine machine{processor(), caches(), memory(), system_name(), compiler(), simd(), MANZANA_COMMIT};
   return machine;
 }
 

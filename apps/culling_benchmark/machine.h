@@ -5,7 +5,7 @@
 namespace manzana::culling_benchmark {
 
 struct Machine {
-  std::string processor, memory, system, compiler, simd, commit;
+  std::string processor, caches, memory, system, compiler, simd, commit;
 };
 const Machine& this_machine();
 

@@ -20,12 +20,15 @@ namespace {
 using baselines::Peer;
 using baselines::PeerInfo;
 
+/// A row is timed that long however late it is: enough for all pairs of what is quick.
+constexpr double kLeastSeconds = 0.05;
+
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 /// A case's workload with what is exactly in view.
-struct Scene {
+struct Given {
   Workload work;
   Truth truth;
 };
@@ -95,7 +98,7 @@ class Measurer {
  private:
   void note_calibration(double ms) { best_calibration_ms_ = std::min(best_calibration_ms_, ms); }
 
-  Scene scene_of(const std::string& name, int frames) {
+  Given prepare(const std::string& name, int frames) {
     Workload work = make_workload(name, options_.seed, frames, cities_);
     Truth truth = kept_truth(work, truth_folder(options_));
     return {std::move(work), std::move(truth)};
@@ -105,15 +108,15 @@ class Measurer {
     const auto todo = missing(options_, name, options_.process, finished_);
     if (todo.empty()) return;
     tell(name, 0);
-    const Scene scene = scene_of(name, frames_of(options_, name));
+    const Given given = prepare(name, frames_of(options_, name));
     const PeerInfo& bqr = *peer_info("bqr");
-    bqr_ = contender(stock_, bqr, scene.work, 0);
-    bqr_us_ = query_times(check(*bqr_.peer, scene.work, scene.truth));
+    bqr_ = contender(stock_, bqr, given.work, 0);
+    bqr_us_ = query_times(check(*bqr_.peer, given.work, given.truth));
     for (std::size_t i = 0; i < todo.size(); ++i) {
       row_start_ = seconds_now();
       row_seconds_ = (case_end_ - row_start_) / static_cast<double>(todo.size() - i);
       tell_.row(todo[i]->slug == kSmallerCity ? measure_smaller(*todo[i], name)
-                                              : measure_row(name, *todo[i], scene, stock_));
+                                              : measure_row(name, *todo[i], given, stock_));
       tell(name, static_cast<double>(i + 1) / static_cast<double>(todo.size()));
     }
   }
@@ -126,12 +129,12 @@ class Measurer {
   /// The same flight through the smaller city: as many frames.
   RunRow measure_smaller(const PeerInfo& info, const std::string& name) {
     Stock stock;
-    return measure_row(name, info, scene_of(kSmallerCase, frames_of(options_, name)), stock);
+    return measure_row(name, info, prepare(kSmallerCase, frames_of(options_, name)), stock);
   }
 
-  RunRow measure_row(const std::string& name, const PeerInfo& info, const Scene& scene, Stock& stock) {
+  RunRow measure_row(const std::string& name, const PeerInfo& info, const Given& given, Stock& stock) {
     RunRow row = expected_row(options_, name, info.slug, options_.process);
-    const Workload& work = scene.work;
+    const Workload& work = given.work;
     row.grain = info.grain == baselines::Grain::block ? "block" : "object";
     row.objects = work.city->objects();
     row.blocks = work.city->blocks.size();
@@ -139,7 +142,7 @@ class Measurer {
     const Contender peer = contender(stock, info, work, first);
     row.build_ms = stock.get(info, work.city, first).build_ms;
     row.bytes = peer.peer->bytes();
-    const std::vector<Counts> counts = check(*peer.peer, work, scene.truth);
+    const std::vector<Counts> counts = check(*peer.peer, work, given.truth);
     set_counts(row, sum(counts));
     time_until_clean(row, peer, work.info, counts);
     row.date = now_utc();
@@ -148,7 +151,7 @@ class Measurer {
 
   Limits limits_now() const {
     Limits limits = rules_.limits;
-    limits.seconds = row_start_ + row_seconds_ - seconds_now();
+    limits.seconds = std::max(row_start_ + row_seconds_ - seconds_now(), kLeastSeconds);
     return limits;
   }
 

@@ -22,7 +22,8 @@ constexpr std::array kLines{Line{"none", kYellow}, Line{"vam-block8", kRed}, Lin
 
 std::string head(const std::string& name, const std::string& title) {
   return culling_benchmark::gnuplot_head(name) + "set title " + culling_benchmark::in_quotes(title) +
-         " noenhanced\nset yrange [0:*]\nset rmargin 36\n";
+         " noenhanced\nset yrange [0:*]\nset rmargin 3\nset key outside center bottom horizontal\nset xlabel offset "
+         "0,0.6\n";
 }
 
 /// One of the columns of $data, after the first.

@@ -29,12 +29,12 @@ Script path_plot(std::span<const SummaryRow> table, const std::string& case_name
     counts.push_back(file + " skip 1 using 1:3 with lines" + line_style(line.peer));
   }
   const std::string name = path_plot_name(case_name);
-  return {name, gnuplot_head(name) + "set multiplot layout 2,1 title " +
-                    in_quotes(case_name + ": outskirts, walk in, climb, turn down, dive") +
-                    " noenhanced\nset xlabel 'frame'\nset ylabel 'microseconds a query'\nset logscale y\n"
-                    "set format y '%g'\n" +
-                    plot_command(times) + "set ylabel 'objects accepted'\n" + plot_command(counts) +
-                    "unset multiplot\n"};
+  return {name,
+          gnuplot_head(name) + "set multiplot layout 2,1 title " +
+              in_quotes(case_name + ": outskirts, walk in, climb, turn down, dive") +
+              " noenhanced\nset xrange [0:*]\nset xlabel 'frame'\nset ylabel 'microseconds a query'\nset logscale y\n"
+              "set format y '%g'\n" +
+              plot_command(times) + "set ylabel 'objects accepted'\n" + plot_command(counts) + "unset multiplot\n"};
 }
 
 using Value = std::function<double(const SummaryRow&)>;

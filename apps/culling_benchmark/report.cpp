@@ -19,9 +19,16 @@ using Rows = std::vector<std::vector<std::string>>;
 
 std::string head_text(const Options& options) {
   const Machine& m = this_machine();
-  const Rows rows{{"", "what"},         {"processor", m.processor}, {"memory", m.memory},
-                  {"system", m.system}, {"compiler", m.compiler},   {"vector instructions of bqr", m.simd},
-                  {"commit", m.commit}, {"finished", now_utc()},    {"seed", std::to_string(options.seed)}};
+  const Rows rows{{"", "what"},
+                  {"processor", m.processor},
+                  {"caches", m.caches},
+                  {"memory", m.memory},
+                  {"system", m.system},
+                  {"compiler", m.compiler},
+                  {"vector instructions of bqr", m.simd},
+                  {"commit", m.commit},
+                  {"finished", now_utc()},
+                  {"seed", std::to_string(options.seed)}};
   std::string text = "# Culling benchmark\n\n| " + rows[0][0] + " | |\n|---|---|\n";
   for (std::size_t i = 1; i < rows.size(); ++i) text += "| " + rows[i][0] + " | " + rows[i][1] + " |\n";
   return text + "\n";
@@ -57,14 +64,21 @@ Doubts doubts_of(std::span<const SummaryRow> table, const Rules& rules) {
   return d;
 }
 
-constexpr const char* kHow = R"(## How it was timed
+constexpr const char* kHow = R"(## How it was timed, and how to read the tables
 One thread, unless a case says otherwise. A round is a flight along Pina's figure 4: each query alone between two readings
-of the steady clock, less what a reading costs; its time is the median over the frames. Where time is short a round has
-fewer frames, spread over the ranks of their costs so that their median is near that of all. A pair is a round of the
-structure and one of bqr, in an order that chance decides, in one process. *x bqr* is the median over the pairs of one
-time over the other (of the logarithm); for bqr itself, over a second bqr: what the method cannot tell apart. In cold cases
-96 MiB are read and written between two queries. *exact* are the objects whose box meets the view, by separating axes in
-double, in long double where that leaves a doubt; sums are over all frames of the flight, in every process again.
+of the steady clock, less what a reading costs; its time is the median over the frames. A pair is a round of the structure
+and one of bqr, in an order that chance decides, in one process. Where time is short a round has fewer frames, spread over
+the ranks of their costs so that their median is near that of all, and is flown once untimed before; then fewer pairs. In
+cold cases 96 MiB are read and written between two queries.
+
+In the tables of the cases *us* are microseconds a query; of bqr, the median of what it took beside all others. *x bqr* is
+the median over the pairs of the structure's time over bqr's (of the logarithm), with its interval; for bqr itself, over a
+second bqr: what the method cannot tell apart. *Slower* and *faster* need the whole interval on one side of 1. *exact* are
+the objects whose box meets the view, by separating axes in double, in long double where that leaves a doubt; *accepted*
+those in the answers, *missed* those that should be; sums over all frames of the flight, in every process again. Structures
+of grain *block* accept whole blocks, or pages of blocks, with all that is in them: another task, and an easier one. *none*
+accepts everything, in no time. *MB* are 10^6 bytes of the structure with all bounds that it reads. The last column has how
+much was measured.
 
 )";
 
@@ -94,7 +108,8 @@ std::string interval(const SummaryRow& s) {
 /// "Faster" needs the whole interval on one side.
 std::string finding(const SummaryRow& s) {
   if (s.peer == "bqr") return "";
-  const std::string how = s.grain == "block" ? ", but whole blocks" : "";
+  const bool all = *s.accepted == *s.objects * *s.frames;
+  const std::string how = all ? ", but accepts all" : s.grain == "block" ? ", but whole blocks" : "";
   if (*s.ratio_lo > 1) return "slower" + how;
   return *s.ratio_hi < 1 ? "faster" + how : "no difference shown";
 }
@@ -141,12 +156,12 @@ std::string report_md(const Options& options, std::span<const SummaryRow> table,
                       std::span<const std::string> plots) {
   std::string text = head_text(options);
   if (table.empty()) return text;
-  text += verdict_text(table, wrong) + goals_text(table) + rivals_text(table);
+  text += verdict_text(table, wrong) + goals_text(table) + how_text(options, table) + rivals_text(table);
   text += image(plots, "size_paper") + image(plots, "size_objects");
   text += growth_text(table) + image(plots, "growth") + trade_text(table);
   for (const TradePlace& place : trade_places()) text += image(plots, place.name);
   for (const std::string& name : cases_of(options)) text += case_text(table, name, plots);
-  return text + how_text(options, table);
+  return text;
 }
 
 }  // namespace manzana::culling_benchmark

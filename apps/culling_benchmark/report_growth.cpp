@@ -75,7 +75,11 @@ std::string growth_text(std::span<const SummaryRow> table) {
                            kind_text(table, "Seen to 1 km, cold caches:", kind_of(table, false, true, 1)) +
                            kind_text(table, "Seen to 1 km, two threads at once:", kind_of(table, false, false, 2));
   if (text.empty()) return {};
-  return "## How the cost grows\nMicroseconds a query; in brackets times bqr's, measured side by side.\n\n" + text;
+  return "## How the cost grows\nMicroseconds a query in cities of ever more objects; in brackets times bqr's, "
+         "measured side by side. "
+         "*All in view*: from outside, so that a query that tells runs need not look at objects. *Seen to 1 km*: what "
+         "is in view stays the same once the city is larger than that.\n\n" +
+         text;
 }
 
 std::vector<Script> growth_plots(std::span<const SummaryRow> table) {

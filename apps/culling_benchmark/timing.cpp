@@ -67,12 +67,18 @@ class Company {
 
 class Rounds {
  public:
-  Rounds(bool cold, const std::vector<std::size_t>& frames)
-      : cold_(cold), frames_(frames), overhead_us_(clock_overhead_us()), us_(frames.size()) {}
+  Rounds(bool cold, const Plan& plan)
+      : cold_(cold),
+        warm_up_(plan.warm_up),
+        frames_(plan.frames),
+        overhead_us_(clock_overhead_us()),
+        us_(plan.frames.size()) {}
 
   /// The times of one flight, valid until the next.
   const std::vector<double>& fly(const Contender& contender, Answer& answer) {
     const Company company(contender, frames_);
+    for (std::size_t i = 0; warm_up_ && i < frames_.size(); ++i)
+      contender.peer->query((*contender.flight)[frames_[i]], answer);
     for (std::size_t i = 0; i < frames_.size(); ++i) {
       if (cold_) stream().flow();
       const auto start = Clock::now();
@@ -83,7 +89,7 @@ class Rounds {
   }
 
  private:
-  bool cold_;
+  bool cold_, warm_up_;
   const std::vector<std::size_t>& frames_;
   double overhead_us_;
   std::vector<double> us_;
@@ -122,13 +128,15 @@ Plan plan_pairs(const Limits& limits, const std::vector<double>& bqr_us, const s
   const auto at_most = [](double n, std::size_t low, std::size_t high) {
     return std::clamp(static_cast<std::size_t>(std::clamp(n, 0.0, 1e9)), std::min(low, high), high);
   };
-  const std::size_t n = at_most(affordable / static_cast<double>(limits.pairs), limits.least_frames, frames);
-  const std::size_t pairs = at_most(affordable / static_cast<double>(n), limits.least_pairs, limits.pairs);
-  return {choose_frames(n, bqr_us, peer_us), pairs};
+  const bool warm_up = between_us == 0 && affordable < static_cast<double>(limits.pairs * frames);
+  const double timed = warm_up ? affordable / 2 : affordable;
+  const std::size_t n = at_most(timed / static_cast<double>(limits.pairs), limits.least_frames, frames);
+  const std::size_t pairs = at_most(timed / static_cast<double>(n), limits.least_pairs, limits.pairs);
+  return {choose_frames(n, bqr_us, peer_us), pairs, warm_up};
 }
 
 PairTimes time_pairs(const Contender& bqr, const Contender& peer, bool cold, const Plan& plan, std::uint64_t seed) {
-  Rounds rounds(cold, plan.frames);
+  Rounds rounds(cold, plan);
   Answer of_bqr, of_peer;
   PairTimes times;
   std::vector<std::vector<double>> by_frame(plan.frames.size());

@@ -20,10 +20,13 @@ struct Limits {
 struct Plan {
   std::vector<std::size_t> frames;  ///< of the flight, ascending
   std::size_t pairs = 0;
+  bool warm_up = false;  ///< each round is flown once more before, untimed
 };
 /// All frames and all pairs if there is time, else fewer frames, and then fewer pairs. What both structures roughly
 /// take is given for each frame, and what goes on between two queries. Few frames must stand for all: they are evenly
 /// spread over the ranks of their costs, so that their median is near that of all, wherever in the flight they are.
+/// They are then flown once untimed, or caches would be colder than on the whole flight; not if something goes on
+/// between.
 Plan plan_pairs(const Limits& limits, const std::vector<double>& bqr_us, const std::vector<double>& peer_us,
                 double between_us);
 

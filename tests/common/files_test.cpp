@@ -6,12 +6,12 @@ using namespace manzana::apps;
 
 namespace {
 
-std::string shown(bool terminal, const std::vector<std::pair<const char*, double>>& steps) {
+std::string shown(bool terminal, const std::vector<std::pair<const char*, double>>& steps, const char* note = "") {
   std::FILE* out = std::tmpfile();
   REQUIRE(out != nullptr);
   {
     ProgressBar bar(out, terminal);
-    for (const auto& [stage, fraction] : steps) bar.show(stage, fraction);
+    for (const auto& [stage, fraction] : steps) bar.show(stage, fraction, note);
   }
   std::string text(static_cast<std::size_t>(std::ftell(out)), '\0');
   std::rewind(out);
@@ -60,4 +60,12 @@ TEST_CASE("progress: a bar on a terminal redraws its line and ends it") {
   CHECK(text.find("50 %") != std::string::npos);
   CHECK(text.find("50 %") == text.rfind("50 %"));
   CHECK(text.ends_with("100 %\n"));
+}
+
+TEST_CASE("progress: the time left stands behind the bar in seconds or minutes") {
+  CHECK(time_left(0) == "about 0 s left");
+  CHECK(time_left(99.9) == "about 99 s left");
+  CHECK(time_left(1770) == "about 30 min left");
+  CHECK(shown(true, {{"reading", 0.5}}, "soon").find("50 %, soon") != std::string::npos);
+  CHECK(shown(false, {{"reading", 0.5}}, "soon") == "reading: 50 %, soon\n");
 }

@@ -1,5 +1,6 @@
 #include "apps/culling_benchmark/options.h"
 
+#include "apps/culling_benchmark/catalogue.h"
 #include "apps/culling_benchmark/rules.h"
 #include "culling/baselines/peer.h"
 #include "tests/support/temporary_folder.h"
@@ -43,6 +44,27 @@ TEST_CASE("options: quick is one process, nine pairs or more, and its own cases"
   CHECK(frames_of(*parsed.options, "100k") == 300);
   CHECK(frames_of(*parsed.options, "1M-1km") == 100);
   CHECK(frames_of(*parse({"--out", "x", "--quick", "--frames", "7"}).options, "1M-1km") == 7);
+}
+
+TEST_CASE("options: the parts of a full run are given 35 minutes together and the cases of a quick one 40 s") {
+  const Options full = *parse({"--out", "x"}).options, quick = *parse({"--out", "x", "--quick"}).options;
+  const auto process_seconds = [](const Options& options) {
+    double seconds = 0;
+    for (const std::string& name : cases_of(options)) seconds += case_seconds(options, name);
+    return seconds;
+  };
+  const Besides more = besides(full);
+  CHECK(kProcesses * process_seconds(full) + more.paper + more.cars + more.extremes < 35 * 60);
+  CHECK(process_seconds(quick) == Approx(40));
+  CHECK(besides(quick).paper == 0);
+}
+
+TEST_CASE("options: growth is the larger city beside the smaller one in every run of it") {
+  const Options options = *parse({"--out", "x", "--quick", "--peers", "linear"}).options;
+  CHECK(peers_for(options, "1M-1km") == Texts{"bqr", "linear", kSmallerCity});
+  CHECK(peers_for(options, "1M") == Texts{"bqr", "linear"});
+  REQUIRE(peer_info(kSmallerCity) != nullptr);
+  CHECK(can_measure("1M-1km", kSmallerCity));
 }
 
 TEST_CASE("options: lists by commas, repeated options, nothing twice") {

@@ -42,6 +42,7 @@ void check_resumed(const TemporaryFolder& folder, const std::filesystem::path& o
   REQUIRE(after.size() == kRows);
   CHECK(to_csv(std::span(after).first(before.size())) == to_csv(before));  // to the last digit: not measured again
   CHECK(std::filesystem::exists(out / "summary.csv"));
+  CHECK_FALSE(std::filesystem::exists(out / "truth"));
   for (const auto& entry : std::filesystem::directory_iterator(out))
     CHECK_FALSE(entry.path().extension().string().starts_with(".part"));
 }

@@ -73,6 +73,14 @@ TEST_CASE("summary: disturbed processes do not count while others do, and are to
   CHECK(all_dirty[1].dirty == 3);
 }
 
+TEST_CASE("summary: the time of bqr is the median beside all that it was measured with") {
+  std::vector<RunRow> rows{row_of("bqr", 1, 7, 1), row_of("linear", 1, 9, 3), row_of("linear", 2, 8, 4)};
+  for (std::size_t i = 0; i < 3; ++i) rows[i].bqr_us = static_cast<double>(2 + i * i);
+  CHECK(summarise(options_of({"bqr", "linear"}), rows)[0].median_us == 3);
+  rows[2].dirty = 1;
+  CHECK(summarise(options_of({"bqr", "linear"}), rows)[0].median_us == 2.5);
+}
+
 TEST_CASE("summary: a structure without a row has empty cells, never zeros") {
   const auto table = summarise(options_of({"bqr", "linear"}), std::vector{row_of("bqr", 1, 7, 1)});
   REQUIRE(table.size() == 2);

@@ -8,6 +8,7 @@
 #include "apps/culling_benchmark/statistics.h"
 #include "apps/culling_benchmark/truth.h"
 #include "tests/support/random.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace manzana;
 using namespace manzana::culling_benchmark;
@@ -55,6 +56,18 @@ TEST_CASE("plan: all if there is time, else fewer frames, then fewer pairs, neve
   CHECK(sizes(1, 1e9, 300) == Sizes{9, 12});
   CHECK(sizes(1, 1e9, 3) == Sizes{9, 3});
   CHECK(sizes(-1, 1, 300) == Sizes{9, 12});  // late already
+}
+
+TEST_CASE("plan: a flight that is cut is flown twice a round and has half the time for what counts") {
+  const Limits limits{.seconds = 1, .pairs = 50, .least_pairs = 9, .least_frames = 12};
+  const std::vector<double> us(300, 100);
+  const Plan cut = plan_pairs(limits, us, us, 0), whole = plan_pairs(limits, {1, 1}, {1, 1}, 0),
+             cold = plan_pairs(limits, us, us, 100);
+  CHECK(cut.warm_up);
+  CHECK(cut.frames.size() == 50);
+  CHECK_FALSE(whole.warm_up);
+  CHECK_FALSE(cold.warm_up);
+  CHECK(cold.frames.size() == 50);
 }
 
 TEST_CASE("plan: each frame once, in the order of the flight") {
@@ -108,6 +121,15 @@ TEST_CASE("pairs: a structure that takes three times as long is found to, whoeve
   CHECK(median_ratio(ratios) == Approx(3).epsilon(0.1));
 }
 
+TEST_CASE("pairs: an untimed round goes before each that counts") {
+  Cities cities;
+  const Workload work = make_workload("C1", 1, 20, cities);
+  Waiting bqr(1, 1), peer(1, 1);
+  time_pairs({&bqr, {}, &work.frusta}, {&peer, {}, &work.frusta}, false, {flight_of(20), 5, true}, 1);
+  CHECK(bqr.queries == 2 * 20 * 6);
+  CHECK(peer.queries == 2 * 20 * 6);
+}
+
 TEST_CASE("pairs: the clock's own time is not counted") {
   const double overhead = clock_overhead_us();
   CHECK(overhead > 0.001);
@@ -141,6 +163,24 @@ TEST_CASE("check: counts what an answer holds, holds too much, and misses") {
   CHECK(of_half.missed == seen_below);
   CHECK(seen_below > 0);
   CHECK(of_half.accepted == 5 * std::uint64_t{objects - objects / 2});
+}
+
+TEST_CASE("truth: a kept one is read again and is the same, a part of one is found anew") {
+  const TemporaryFolder folder;
+  Cities cities;
+  const Workload work = make_workload("C1", 1, 5, cities), shorter = make_workload("C1", 1, 4, cities);
+  const Truth found = find_truth(work);
+  CHECK(kept_truth(work, folder.path() / "truth").bits == found.bits);
+  REQUIRE(files_in(folder.path() / "truth") == 1);
+  const auto file = std::filesystem::directory_iterator(folder.path() / "truth")->path();
+  const auto written = std::filesystem::last_write_time(file);
+  CHECK(kept_truth(work, folder.path() / "truth").bits == found.bits);
+  CHECK(kept_truth(work, folder.path() / "truth").seen == found.seen);
+  CHECK(std::filesystem::last_write_time(file) == written);
+  CHECK(kept_truth(shorter, folder.path() / "truth").bits.size() == 4);
+  CHECK(files_in(folder.path() / "truth") == 2);
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) - 1);
+  CHECK(kept_truth(work, folder.path() / "truth").bits == found.bits);
 }
 
 TEST_CASE("conditions: a slow calibration, a stolen or a taken machine is disturbed") {
