@@ -1,3 +1,5 @@
+#include "culling/bqr_build.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -6,7 +8,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "culling/bqr_tree.h"
 #include "culling/lattice.h"
 #include "culling/pack.h"
 #include "culling/quadtree.h"
@@ -26,7 +27,8 @@ using Parts = std::vector<Part>;
 /// Lives for one call of build_bqr_tree.
 class Builder {
  public:
-  Builder(std::span<const BlockVolume> blocks, const BlockObjects& objects) : in_(blocks), objects_(objects) {}
+  Builder(std::span<const BlockVolume> blocks, const BlockObjects& objects, const BqrBuildOptions& options)
+      : in_(blocks), objects_(objects), options_(options) {}
 
   BqrTree run() {
     assert(objects_.first.empty() ? objects_.boxes.empty() : objects_.first.size() == in_.size() + 1);
@@ -198,7 +200,7 @@ class Builder {
   void pack(std::uint32_t block) {
     const std::uint32_t row = tree_.order[block],
                         count = tree_.block_objects[block].last - tree_.block_objects[block].first;
-    if (count > 0) pack_objects(tree_, block, objects_, objects_.first[row], in_[row]);
+    if (count > 0) pack_objects(tree_, block, objects_, objects_.first[row], in_[row], options_.order);
   }
 
   /// Children follow their parents, so one way back over the nodes.
@@ -216,6 +218,7 @@ class Builder {
 
   std::span<const BlockVolume> in_;
   const BlockObjects& objects_;
+  const BqrBuildOptions options_;
   Quadtree quads_;
   BqrTree tree_;
   std::vector<BoxD> boxes_;
@@ -226,7 +229,12 @@ class Builder {
 }  // namespace
 
 BqrTree build_bqr_tree(std::span<const BlockVolume> blocks, const BlockObjects& objects) {
-  return Builder(blocks, objects).run();
+  return build_bqr_tree(blocks, objects, {});
+}
+
+BqrTree build_bqr_tree(std::span<const BlockVolume> blocks, const BlockObjects& objects,
+                       const BqrBuildOptions& options) {
+  return Builder(blocks, objects, options).run();
 }
 
 std::size_t query_bytes(const BqrTree& tree) {

@@ -232,7 +232,8 @@ void put(BqrTree& tree, std::uint32_t block, const BlockVolume& volume, const Ne
   insertion.place(block, packets);
   std::vector<ClassMask> all_of_all;
   if (objects.classes.empty()) all_of_all.assign(count, kAllClasses);
-  pack_objects(tree, block, {{}, objects.boxes, objects.classes.empty() ? all_of_all : objects.classes}, 0, volume);
+  pack_objects(tree, block, {{}, objects.boxes, objects.classes.empty() ? all_of_all : objects.classes}, 0, volume,
+               ObjectOrder::z_curve);
   for (std::uint32_t i = first; i < first + count; ++i) tree.object_order[i] += first;
   insertion.widen(block, block_classes(tree, block, volume.classes));
 }

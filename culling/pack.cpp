@@ -142,7 +142,7 @@ std::uint32_t packed_size(std::uint32_t objects) {
 }
 
 void pack_objects(BqrTree& tree, std::uint32_t block, const BlockObjects& objects, std::uint32_t from,
-                  const BlockVolume& volume) {
+                  const BlockVolume& volume, ObjectOrder order) {
   const BqrNode& node = tree.nodes[tree.place[block] / kLanes];
   const std::uint32_t lane = tree.place[block] % kLanes;
   const BoxD frame = lane_box(node, lane);
@@ -156,7 +156,7 @@ void pack_objects(BqrTree& tree, std::uint32_t block, const BlockObjects& object
     const BoxD& box = objects.boxes[from + i];
     packing[i].row = from + i;
     packing[i].reaches = reaches_of({box.min - tree.origin, box.max - tree.origin}, frame.min, frame.max, steps);
-    packing[i].key = z_order(packing[i].reaches);
+    packing[i].key = order == ObjectOrder::z_curve ? z_order(packing[i].reaches) : 0;
   }
   std::sort(packing.begin(), packing.end(),
             [](const Packing& a, const Packing& b) { return std::pair(a.key, a.row) < std::pair(b.key, b.row); });

@@ -1,6 +1,6 @@
 #pragma once
 /// How volumes are written into nodes and packets; shared by the builder and by edits.
-#include "culling/bqr_tree.h"
+#include "culling/bqr_build.h"
 #include "culling/lattice.h"
 
 namespace manzana::culling {
@@ -27,10 +27,10 @@ std::uint8_t finest_shift(const BqrNode& node);
 /// More: packets of 32 boxes that enclose one packet each, then the packets.
 std::uint32_t packed_size(std::uint32_t objects);
 
-/// Writes the packets, the classes and the order of a block's objects, in the order of a Z-curve; the block has its
-/// place, its run and room for its packets. Rows of the input from `from`. Throws for bad objects.
+/// Writes the packets, the classes and the order of a block's objects; the block has its place, its run and room for
+/// its packets. Rows of the input from `from`. Throws for bad objects.
 void pack_objects(BqrTree& tree, std::uint32_t block, const BlockObjects& objects, std::uint32_t from,
-                  const BlockVolume& volume);
+                  const BlockVolume& volume, ObjectOrder order);
 
 /// Of the block's objects, and `others`; all classes if the tree has none. Of all lanes of a node.
 ClassMask block_classes(const BqrTree& tree, std::uint32_t block, ClassMask others);

@@ -1,6 +1,7 @@
 // The tree: every block and object in one place, every volume outward, whatever the input.
-#include "culling/bqr_tree.h"
+#include "culling/bqr_build.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -139,6 +140,17 @@ TEST_CASE("tree: does not depend on the order of the blocks") {
     for (std::size_t i = 0; i < a.object_order.size(); ++i)
       REQUIRE(in.boxes[a.object_order[i]].min == shuffled.boxes[b.object_order[i]].min);
   }
+}
+
+TEST_CASE("tree: the order of a block's objects is kept when asked for") {
+  const std::vector<std::uint64_t> counts{0, 1, 8, 31, 32, 33, 64, 1025, 3000, 3};
+  const Input in = blocks_of(counts, Vec3d(0), 5);
+  const BqrTree tree = build_bqr_tree(in.blocks, in.objects(), {.order = ObjectOrder::given});
+  TreeChecks(tree, in).run();
+  for (const auto [first, last] : tree.block_objects)
+    CHECK(std::is_sorted(tree.object_order.begin() + first, tree.object_order.begin() + last));
+  const BqrTree along_curve = checked(in);
+  CHECK_FALSE(along_curve.object_order == tree.object_order);
 }
 
 TEST_CASE("tree: a bad block is refused by its index") {
