@@ -1,5 +1,7 @@
 #include "scenegraph/layer_table.h"
 
+#include "culling/bqr_build.h"
+
 namespace manzana {
 namespace {
 
@@ -41,7 +43,9 @@ void SceneObjects::add(std::uint32_t block, const culling::BoxD& box, ObjectClas
 
 OrderedTree build_tree(std::span<const culling::BlockVolume> blocks, const SceneObjects& objects) {
   const ByBlock sorted = sort_by_block(objects, blocks.size());
-  OrderedTree built{culling::build_bqr_tree(blocks, {sorted.first, sorted.boxes, sorted.classes}), {}};
+  OrderedTree built{culling::build_bqr_tree(blocks, {sorted.first, sorted.boxes, sorted.classes},
+                                            {.order = culling::ObjectOrder::given}),
+                    {}};
   built.numbers.reserve(sorted.numbers.size());
   for (const std::uint32_t row : built.tree.object_order) built.numbers.push_back(sorted.numbers[row]);
   return built;

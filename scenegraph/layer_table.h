@@ -1,6 +1,8 @@
 #pragma once
 /// From objects of several kinds to one tree and a table for each kind. The tree's objects are of all kinds, in one
 /// order; a layer keeps its own in the same order, so a run of the tree's objects is one run of rows of every layer.
+/// Within a block objects keep the order of their numbers. They are drawn in it: where walls lie in one plane, or
+/// shadows overlap, what a picture shows is decided by what the scene was made from, not by how the tree sorts it.
 ///   SceneObjects objects;                                     // add() all of them, layer after layer
 ///   OrderedTree built = build_tree(volumes, objects);
 ///   for (std::uint32_t number : numbers_of(built, kTree)) ... // a tree's rows are stored in this order

@@ -57,6 +57,15 @@ culling::View street_view(const Scene& scene) {
   return look_in(scene.blocks[0], {0, 0, 1.7}, {0, 1, 0.12}, 60, kAspect);
 }
 
+// A wall to the north, and what else belongs to its building, far from it.
+HandMesh wall_with_wing(std::uint32_t rgb, const Vec2& wing) {
+  HandMesh mesh;
+  add_quad(mesh, {-20, 100, 0}, {20, 100, 0}, {20, 100, 30}, {-20, 100, 30}, rgb, Material::concrete);
+  add_quad(mesh, {wing.x, wing.y, 0}, {wing.x + 5, wing.y, 0}, {wing.x + 5, wing.y, 5}, {wing.x, wing.y, 5}, rgb,
+           Material::concrete);
+  return mesh;
+}
+
 // Whether (x, y) is inside of the polygon of the projected corners, grown by `margin` pixels.
 bool within(const Vec2d& low, const Vec2d& high, const Vec2d& p, double margin) {
   return p.x > low.x - margin && p.x < high.x + margin && p.y > low.y - margin && p.y < high.y + margin;
@@ -228,6 +237,20 @@ TEST_CASE("with and without the structure the picture is the same") {
     const Picture a = take_picture(renderer, kSize, scene, bqr, view);
     const Picture b = take_picture(renderer, kSize, scene, none, view);
     CHECK(different_pixels(a, b, 0) == 0);
+  }
+}
+
+TEST_CASE("of two walls in one plane the later one is seen wherever the rest of their buildings stands") {
+  const Stage stage;
+  constexpr std::uint32_t kGreen = 0x10c010;
+  for (const Vec2& wing : {Vec2(-300, 0), Vec2(300, 0), Vec2(0, -300), Vec2(0, 300)}) {
+    HandBlock block;
+    block.buildings = {wall_with_wing(kGreen, wing), wall_with_wing(kRed, -wing)};
+    const Scene scene = make_scene({block});
+    const culling::View view = look_in(scene.blocks[0], {0, 0, 15}, {0, 1, 0}, 60, kAspect);
+    Renderer renderer(scene, simple_plants(), low());
+    const Picture picture = take_picture(renderer, kSize, scene, visible(scene, view, Structure::bqr), view);
+    CHECK(reddish(picture.at(kSize.width / 2, kSize.height / 2)));
   }
 }
 
