@@ -26,6 +26,7 @@ class List {
  public:
   std::span<const T> items() const { return {data_.get(), size_}; }
   T* begin() { return data_.get(); }
+  T* end() { return data_.get() + size_; }
   void end_at(const T* end) { size_ = static_cast<std::size_t>(end - data_.get()); }
   void reserve(std::size_t n) {
     if (n <= room_) return;

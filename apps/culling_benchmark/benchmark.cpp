@@ -17,6 +17,7 @@
 #include "apps/culling_benchmark/report_trade.h"
 #include "apps/culling_benchmark/rules.h"
 #include "apps/culling_benchmark/run.h"
+#include "apps/culling_benchmark/sharing.h"
 #include "apps/culling_benchmark/summary.h"
 
 namespace manzana::culling_benchmark {
@@ -27,7 +28,7 @@ std::string columns_md() {
          "## summary.csv; front.csv has its rows that are best in the trade\n" +
          explain(summary_columns()) + "\n## runs.csv\n" + explain(run_columns()) +
          "\n## frames/CASE_PEER.csv (first process)\n" + explain(frame_columns()) + paper_columns_md() +
-         extremes_columns_md() + cars_columns_md();
+         extremes_columns_md() + cars_columns_md() + sharing_columns_md();
 }
 
 /// What ended in the middle of writing a file leaves its part.
@@ -70,6 +71,18 @@ std::string cars_section(const Options& options) {
   return cars_md(run);
 }
 
+/// Empty when it is not asked for.
+std::string sharing_section(const Options& options) {
+  if (!with_growth(options)) return {};
+  apps::ProgressBar bar(stderr);
+  const SharingRun run = run_sharing({.seed = options.seed}, [&](double done) {
+    throw_if_interrupted();
+    bar.show("one query on all threads", done);
+  });
+  write_sharing(options.out, run);
+  return sharing_md(run);
+}
+
 int time_all(const Options& options, const std::vector<std::string>& arguments) {
   for (const std::string& name : cases_of(options)) look_up_case(name);
   apps::make_folder(options.out);
@@ -83,10 +96,10 @@ int time_all(const Options& options, const std::vector<std::string>& arguments) 
   apps::write_whole(options.out / "columns.md", columns_md());
   std::filesystem::remove_all(truth_folder(options));
   const PaperPart paper = with_paper(options) ? measure_paper(options, arguments) : PaperPart{};
-  const std::string cars = cars_section(options), extremes = extremes_section(options, wrong);
+  const std::string sections = sharing_section(options) + cars_section(options) + extremes_section(options, wrong);
   const auto plots = draw_all(options.out, all_plots(options, table, paper));
   apps::write_whole(options.out / "report.md",
-                    report_md(options, table, wrong, plots) + cars + extremes + paper_section(paper, plots));
+                    report_md(options, table, wrong, plots) + sections + paper_section(paper, plots));
   std::printf("written to %s; read report.md first\n", options.out.c_str());
   for (const std::string& line : wrong) std::fprintf(stderr, "WRONG: %s\n", line.c_str());
   return wrong.empty() ? 0 : 1;

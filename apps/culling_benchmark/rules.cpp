@@ -48,10 +48,12 @@ std::vector<std::string> cases_of(const Options& options) {
   const bool unsaid = says_nothing(options);
   if (unsaid)
     add(options.quick ? std::vector<std::string>{"C2", "10k", "100k", "100k-cold", "1M-1km"} : names_of(Family::speed));
-  if (options.growth || (unsaid && !options.quick)) add(names_of(Family::growth));
+  if (with_growth(options)) add(names_of(Family::growth));
   if (options.trade || (unsaid && !options.quick)) add(names_of(Family::trade));
   return all;
 }
+
+bool with_growth(const Options& options) { return options.growth || (says_nothing(options) && !options.quick); }
 
 bool with_extremes(const Options& options) { return options.extremes || (says_nothing(options) && !options.quick); }
 

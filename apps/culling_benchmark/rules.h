@@ -25,6 +25,7 @@ double case_seconds(const Options& options, const std::string& case_name);
 std::filesystem::path truth_folder(const Options& options);
 
 std::vector<std::string> cases_of(const Options& options);
+bool with_growth(const Options& options);
 bool with_extremes(const Options& options);
 bool with_cars(const Options& options);
 /// Whether the experiments of Pina 2009 are drawn.

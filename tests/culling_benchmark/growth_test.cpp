@@ -4,6 +4,7 @@
 #include <set>
 
 #include "apps/culling_benchmark/report_growth.h"
+#include "apps/culling_benchmark/sharing.h"
 #include "apps/culling_benchmark/truth.h"
 #include "culling/baselines/peer.h"
 #include "tests/support/temporary_folder.h"
@@ -75,4 +76,24 @@ TEST_CASE("growth: the table has a row a size and a cell a structure, empty wher
   const auto drawn = draw_all(folder.path(), growth_plots(table));
   CHECK(std::filesystem::exists(folder.path() / "plots" / "growth.gp"));
   CHECK(std::filesystem::exists(folder.path() / "growth.svg") == !drawn.empty());
+}
+
+TEST_CASE("growth: one query on all threads, in a file and in the report") {
+  double done = 0;
+  const SharingRun run =
+      run_sharing({.cases = {"grow-1k-all", "grow-100k-all"}, .rounds = 3, .rest_ms = 0}, [&](double now) {
+        CHECK(now > done);
+        done = now;
+      });
+  CHECK(done == 1);
+  REQUIRE(run.rows.size() == 10);
+  for (std::size_t i = 0; i < 5; ++i) CHECK(run.rows[i].shared == 0);  // no city of 40 blocks is large enough
+  CHECK(run.rows[5].shared == 0);                                      // nor is what a camera in the streets sees
+  CHECK(run.rows[9].shared == 1);
+  CHECK(run.rows[9].nodes > culling::kSharedAbove);
+  const TemporaryFolder folder;
+  write_sharing(folder.path(), run);
+  CHECK(std::filesystem::exists(folder.path() / "sharing.csv"));
+  const std::string text = sharing_md(run);
+  CHECK(text.find("| 100 000 | trees alone, all in view | ") != std::string::npos);
 }
