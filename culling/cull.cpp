@@ -32,34 +32,41 @@ inline std::uint32_t low_bits(std::uint32_t n) { return static_cast<std::uint32_
 template <std::size_t kViews>
 class Traversal {
  public:
-  Traversal(const Query& query, std::span<Answer> answers, const Waiting& waiting)
-      : tree_(query.tree),
-        views_(query.views),
-        queue_(waiting.queue),
-        options_(query.options),
-        filtered_(query.options.classes != kAllClasses),
-        head_(waiting.head),
-        end_(waiting.end) {
+  Traversal(const BqrTree& tree, std::span<const Planes> views, std::span<Answer> answers, const CullOptions& options)
+      : tree_(tree),
+        views_(views),
+        queue_(Answer::Access::queue(answers[0])),
+        options_(options),
+        filtered_(options.classes != kAllClasses) {
+    for (std::size_t v = 0; v < answers.size(); ++v) {
+      objects_[v] = Answer::Access::objects(answers[v]).begin();
+      blocks_[v] = Answer::Access::blocks(answers[v]).begin();
+    }
+  }
+
+  CullStats run() {
+    push_root();
+    for (std::uint32_t head = 0; head < end_;) head += visit_batch(head);
+    stats_.nodes = end_;
+    return stats_;
+  }
+
+  /// Goes on with what waits, and adds to the answers.
+  CullStats run(std::span<Answer> answers, Waiting& waiting, std::uint32_t most) {
     for (std::size_t v = 0; v < answers.size(); ++v) {
       objects_[v] = Answer::Access::objects(answers[v]).end();
       blocks_[v] = Answer::Access::blocks(answers[v]).end();
     }
-  }
-
-  CullStats run(std::uint32_t most) {
-    const std::uint32_t first = head_;
-    while (head_ < end_ && end_ - head_ <= most) {
-      const std::uint32_t n = std::min(kBatch, end_ - head_);
-      for (std::uint32_t i = 0; i < n; ++i) test(queue_[head_ + i], i);
-      for (std::uint32_t i = 0; i < n; ++i) hand_on(queue_[head_ + i], i);
-      settle();
-      head_ += n;
-    }
-    stats_.nodes = head_ - first;
+    queue_ = waiting.queue;
+    end_ = waiting.end;
+    std::uint32_t head = waiting.head;
+    if (end_ == 0) push_root();
+    while (head < end_ && end_ - head <= most) head += visit_batch(head);
+    stats_.nodes = head - waiting.head;
+    waiting = {queue_, head, end_};
     return stats_;
   }
 
-  Waiting waiting() const { return {queue_, head_, end_}; }
   void finish(std::span<Answer> answers) const {
     for (std::size_t v = 0; v < answers.size(); ++v) {
       Answer::Access::objects(answers[v]).end_at(objects_[v]);
@@ -81,6 +88,20 @@ class Traversal {
   }
   static unsigned planes_of(const Answer::Visit& visit, std::size_t view) {
     return static_cast<unsigned>(visit.planes >> (8 * view)) & 0xFFU;
+  }
+
+  HWY_INLINE std::uint32_t visit_batch(std::uint32_t head) {
+    const std::uint32_t n = std::min(kBatch, end_ - head);
+    for (std::uint32_t i = 0; i < n; ++i) test(queue_[head + i], i);
+    for (std::uint32_t i = 0; i < n; ++i) hand_on(queue_[head + i], i);
+    settle();
+    return n;
+  }
+
+  void push_root() {
+    Answer::Visit& root = queue_[end_++];
+    root = {tree_.root, low_bits(static_cast<std::uint32_t>(views_.size())), 0};
+    for (std::size_t v = 0; v < views_.size(); ++v) root.planes |= std::uint64_t{views_[v].used} << (8 * v);
   }
 
   HWY_INLINE void test(const Answer::Visit& visit, std::uint32_t i) {
@@ -213,26 +234,40 @@ class Traversal {
   const bool filtered_;
   std::array<ObjectRun*, kViews> objects_{};
   std::array<LeafRun*, kViews> blocks_{};
-  std::uint32_t head_, end_, doubted_ = 0;
+  std::uint32_t end_ = 0, doubted_ = 0;
   CullStats stats_;
   std::array<NodeResult, kBatch * kViews> results_;
   std::array<Doubt, kBatch * kViews * kLanes> doubts_;
 };
 
 template <std::size_t kViews>
-CullStats traverse(const Query& query, std::span<Answer> answers, Waiting& waiting, std::uint32_t most) {
-  Traversal<kViews> traversal(query, answers, waiting);
-  const CullStats stats = traversal.run(most);
+CullStats traverse(const BqrTree& tree, std::span<const Planes> views, std::span<Answer> answers,
+                   const CullOptions& options) {
+  Traversal<kViews> traversal(tree, views, answers, options);
+  const CullStats stats = traversal.run();
   traversal.finish(answers);
-  waiting = traversal.waiting();
   return stats;
 }
 
-CullStats visit_one(const Query& query, std::span<Answer> answers, Waiting& waiting, std::uint32_t most) {
-  return traverse<1>(query, answers, waiting, most);
+CullStats cull_one(const BqrTree& tree, std::span<const Planes> views, std::span<Answer> answers,
+                   const CullOptions& options) {
+  return traverse<1>(tree, views, answers, options);
 }
-CullStats visit_many(const Query& query, std::span<Answer> answers, Waiting& waiting, std::uint32_t most) {
-  return traverse<kMaxViews>(query, answers, waiting, most);
+CullStats cull_many(const BqrTree& tree, std::span<const Planes> views, std::span<Answer> answers,
+                    const CullOptions& options) {
+  return traverse<kMaxViews>(tree, views, answers, options);
+}
+
+template <std::size_t kViews>
+CullStats go_on(const Query& query, std::span<Answer> answers, Waiting& waiting, std::uint32_t most) {
+  Traversal<kViews> traversal(query.tree, query.views, answers, query.options);
+  const CullStats stats = traversal.run(answers, waiting, most);
+  traversal.finish(answers);
+  return stats;
+}
+CullStats visit_some(const Query& query, std::span<Answer> answers, Waiting& waiting, std::uint32_t most) {
+  return query.views.size() == 1 ? go_on<1>(query, answers, waiting, most)
+                                 : go_on<kMaxViews>(query, answers, waiting, most);
 }
 
 }  // namespace manzana::culling::HWY_NAMESPACE
@@ -241,30 +276,23 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace manzana::culling {
 
-HWY_EXPORT(visit_one);
-HWY_EXPORT(visit_many);
+HWY_EXPORT(cull_one);
+HWY_EXPORT(cull_many);
+HWY_EXPORT(visit_some);
 
-Query start(const BqrTree& tree, std::span<const Planes> views, std::span<Answer> answers, const CullOptions& options,
-            Waiting& waiting) {
-  assert(!views.empty() && views.size() <= kMaxViews && views.size() == answers.size());
-  Query query{tree, views, options};
-  if (tree.classes.empty() && options.classes != 0) query.options.classes = kAllClasses;
+namespace {
+
+/// The options, without what does not matter.
+CullOptions prepare(const BqrTree& tree, std::span<Answer> answers, CullOptions options) {
   for (Answer& answer : answers) {
     answer.reserve(tree);
     Answer::Access::clear(answer);
   }
-  waiting = {Answer::Access::queue(answers[0]), 0, 0};
-  if (tree.nodes.empty()) return query;
-  Answer::Visit& root = waiting.queue[waiting.end++];
-  root = {tree.root, (1U << views.size()) - 1U, 0};
-  for (std::size_t v = 0; v < views.size(); ++v) root.planes |= std::uint64_t{views[v].used} << (8 * v);
-  return query;
+  if (tree.classes.empty() && options.classes != 0) options.classes = kAllClasses;
+  return options;
 }
 
-CullStats visit(const Query& query, std::span<Answer> answers, Waiting& waiting, std::uint32_t most) {
-  return query.views.size() == 1 ? HWY_DYNAMIC_DISPATCH(visit_one)(query, answers, waiting, most)
-                                 : HWY_DYNAMIC_DISPATCH(visit_many)(query, answers, waiting, most);
-}
+}  // namespace
 
 CullStats cull(const BqrTree& tree, const Planes& planes, Answer& answer, const CullOptions& options) {
   return cull(tree, std::span(&planes, 1), std::span(&answer, 1), options);
@@ -272,9 +300,23 @@ CullStats cull(const BqrTree& tree, const Planes& planes, Answer& answer, const 
 
 CullStats cull(const BqrTree& tree, std::span<const Planes> views, std::span<Answer> answers,
                const CullOptions& options) {
-  Waiting waiting;
-  const Query query = start(tree, views, answers, options, waiting);
-  return visit(query, answers, waiting, kAnyNumber);
+  assert(!views.empty() && views.size() <= kMaxViews && views.size() == answers.size());
+  const CullOptions asked = prepare(tree, answers, options);
+  if (tree.nodes.empty()) return {};
+  return views.size() == 1 ? HWY_DYNAMIC_DISPATCH(cull_one)(tree, views, answers, asked)
+                           : HWY_DYNAMIC_DISPATCH(cull_many)(tree, views, answers, asked);
+}
+
+Query start(const BqrTree& tree, std::span<const Planes> views, std::span<Answer> answers, const CullOptions& options,
+            Waiting& waiting) {
+  assert(!views.empty() && views.size() <= kMaxViews && views.size() == answers.size());
+  const Query query{tree, views, prepare(tree, answers, options)};
+  waiting = {Answer::Access::queue(answers[0]), 0, 0};
+  return query;
+}
+
+CullStats visit(const Query& query, std::span<Answer> answers, Waiting& waiting, std::uint32_t most) {
+  return HWY_DYNAMIC_DISPATCH(visit_some)(query, answers, waiting, most);
 }
 
 const char* simd_target() {

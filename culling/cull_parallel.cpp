@@ -96,6 +96,7 @@ CullStats cull_parallel(const BqrTree& tree, std::span<const Planes> views, Crew
                         const CullOptions& options) {
   Waiting waiting;
   const Query query = start(tree, views, answers, options, waiting);
+  if (tree.nodes.empty()) return {};
   CullStats stats = visit(query, answers, waiting, crew.shared_above);
   if (waiting.count() > 0) add(stats, Sharing(query, answers, waiting, crew).run());
   return stats;

@@ -21,12 +21,13 @@ struct Waiting {
 };
 inline constexpr std::uint32_t kAnyNumber = ~std::uint32_t{0};
 
-/// Clears the answers and makes room in them; the root waits then, in the first one's queue.
+/// Clears the answers and makes room in them; the first one's queue is the one to wait in. Nothing waits yet: the first
+/// visit is the root's.
 Query start(const BqrTree& tree, std::span<const Planes> views, std::span<Answer> answers, const CullOptions& options,
             Waiting& waiting);
 
-/// Visits what waits, until that is nothing or more than `most`, and adds to the answers. What nodes that wait lead to
-/// is disjoint: some of it may be looked for with another queue and other answers.
+/// Visits what waits, until that is nothing or more than `most`, and adds to the answers. The tree has nodes. What
+/// nodes that wait lead to is disjoint: some of it may be looked for with another queue and other answers.
 CullStats visit(const Query& query, std::span<Answer> answers, Waiting& waiting, std::uint32_t most);
 
 }  // namespace manzana::culling

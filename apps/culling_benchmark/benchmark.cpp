@@ -74,10 +74,11 @@ std::string cars_section(const Options& options) {
 /// Empty when it is not asked for.
 std::string sharing_section(const Options& options) {
   if (!with_growth(options)) return {};
+  const Besides left = besides(options);
   apps::ProgressBar bar(stderr);
   const SharingRun run = run_sharing({.seed = options.seed}, [&](double done) {
     throw_if_interrupted();
-    bar.show("one query on all threads", done);
+    bar.show("one query on all threads", done, apps::time_left(left.sharing * (1 - done) + left.cars + left.extremes));
   });
   write_sharing(options.out, run);
   return sharing_md(run);
@@ -96,7 +97,9 @@ int time_all(const Options& options, const std::vector<std::string>& arguments) 
   apps::write_whole(options.out / "columns.md", columns_md());
   std::filesystem::remove_all(truth_folder(options));
   const PaperPart paper = with_paper(options) ? measure_paper(options, arguments) : PaperPart{};
-  const std::string sections = sharing_section(options) + cars_section(options) + extremes_section(options, wrong);
+  std::string sections = sharing_section(options);
+  sections += cars_section(options);
+  sections += extremes_section(options, wrong);
   const auto plots = draw_all(options.out, all_plots(options, table, paper));
   apps::write_whole(options.out / "report.md",
                     report_md(options, table, wrong, plots) + sections + paper_section(paper, plots));

@@ -63,7 +63,10 @@ bool with_paper(const Options& options) { return options.paper || (says_nothing(
 
 Besides besides(const Options& options) {
   const double paper = options.quick ? 50 : 450;
-  return {with_paper(options) ? paper : 0.0, with_cars(options) ? 40.0 : 0.0, with_extremes(options) ? 20.0 : 0.0};
+  return {.paper = with_paper(options) ? paper : 0.0,
+          .sharing = with_growth(options) ? 40.0 : 0.0,
+          .cars = with_cars(options) ? 40.0 : 0.0,
+          .extremes = with_extremes(options) ? 20.0 : 0.0};
 }
 
 int frames_of(const Options& options, const std::string& case_name) {

@@ -25,6 +25,7 @@ double case_seconds(const Options& options, const std::string& case_name);
 std::filesystem::path truth_folder(const Options& options);
 
 std::vector<std::string> cases_of(const Options& options);
+/// The growing cities, and one query on all threads.
 bool with_growth(const Options& options);
 bool with_extremes(const Options& options);
 bool with_cars(const Options& options);
@@ -33,7 +34,7 @@ bool with_paper(const Options& options);
 
 /// The parts that follow the cases, in their order, and what each may take, seconds; 0: not wanted.
 struct Besides {
-  double paper = 0, cars = 0, extremes = 0;
+  double paper = 0, sharing = 0, cars = 0, extremes = 0;
 };
 Besides besides(const Options& options);
 
