@@ -14,7 +14,7 @@ namespace manzana::culling {
 /// From where on two threads are faster than one, measured.
 inline constexpr std::uint32_t kSharedAbove = 320;
 
-/// What each thread finds, kept from frame to frame: nothing is allocated once a query has been shared.
+/// What each thread finds, kept from frame to frame: nothing is allocated once a query about as many views was shared.
 struct Crew {
   struct Member {
     std::vector<Answer> answers;  ///< by view
