@@ -124,7 +124,8 @@ Plan plan_pairs(const Limits& limits, const std::vector<double>& bqr_us, const s
                            std::accumulate(peer_us.begin(), peer_us.end(), 0.0) +
                            2 * between_us * static_cast<double>(frames);
   const double frame_us = std::max(flight_us / static_cast<double>(frames), 1e-3);
-  const double affordable = limits.seconds * 1e6 / frame_us;  // frames of all pairs together
+  const double seconds = std::max(limits.seconds, limits.least_seconds);
+  const double affordable = seconds * 1e6 / frame_us;  // frames of all pairs together
   const auto at_most = [](double n, std::size_t low, std::size_t high) {
     return std::clamp(static_cast<std::size_t>(std::clamp(n, 0.0, 1e9)), std::min(low, high), high);
   };

@@ -56,6 +56,9 @@ TEST_CASE("plan: all if there is time, else fewer frames, then fewer pairs, neve
   CHECK(sizes(1, 1e9, 300) == Sizes{9, 12});
   CHECK(sizes(1, 1e9, 3) == Sizes{9, 3});
   CHECK(sizes(-1, 1, 300) == Sizes{9, 12});  // late already
+  const std::vector<double> quick(300, 1), slow(300, 1e6);
+  CHECK(plan_pairs({.seconds = -1, .least_seconds = 0.05}, quick, quick, 0).frames.size() == 300);
+  CHECK(plan_pairs({.seconds = -1, .least_seconds = 0.05}, quick, slow, 0).frames.size() == 12);
 }
 
 TEST_CASE("plan: a flight that is cut is flown twice a round and has half the time for what counts") {
