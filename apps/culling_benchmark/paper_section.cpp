@@ -22,7 +22,7 @@ constexpr const char* kRecord = "paper_frames.csv";
 
 /// Six parts: the range of six ratios holds the true median with 96.9 %, whatever their distribution.
 paper::PaperOptions paper_options(const Options& options) {
-  constexpr int kParts = 6, kQuickFrames = 36, kFrames = 90;
+  constexpr int kParts = 6, kQuickFrames = 36, kFrames = 72;
   paper::PaperOptions chosen;
   chosen.frames = options.frames.value_or(options.quick ? kQuickFrames : kFrames);
   chosen.parts = std::min(kParts, chosen.frames);

@@ -60,8 +60,9 @@ std::string head_text(const PaperRun& run) {
       "## Pina 2009\n"
       "The experiments of its section 4 on generated cities (its own is not public): the flight of figure 4 in " +
       std::to_string(o.frames) + " frames, dealt into " + std::to_string(o.parts) + " parts, of which " +
-      std::to_string(run.parts_done) +
-      " were measured; in each part all structures draw a frame one after the other, "
+      std::to_string(run.parts_done) + " were measured" +
+      (run.parts_done < o.parts ? " in the time there was (the same command measures the rest)" : "") +
+      "; in each part all structures draw a frame one after the other, "
       "in an order that chance decides. Drawn by **" +
       run.renderer + "** at " + std::to_string(o.width) + " x " + std::to_string(o.height) +
       ", no faces culled, as in the paper, whose card was a GeForce 6800 Ultra: of its times only the ratios can "

@@ -34,7 +34,8 @@ Script path_plot(std::span<const SummaryRow> table, const std::string& case_name
               in_quotes(case_name + ": outskirts, walk in, climb, turn down, dive") +
               " noenhanced\nset xrange [0:*]\nset xlabel 'frame'\nset ylabel 'microseconds a query'\nset logscale y\n"
               "set format y '%g'\n" +
-              plot_command(times) + "set ylabel 'objects accepted'\n" + plot_command(counts) + "unset multiplot\n"};
+              plot_command(times) + "set ylabel 'objects accepted'\nset format y '%.0f'\n" + plot_command(counts) +
+              "unset multiplot\n"};
 }
 
 using Value = std::function<double(const SummaryRow&)>;

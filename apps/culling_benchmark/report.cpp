@@ -17,6 +17,13 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
+constexpr const char* kAbout =
+    "What finding the objects in view takes with **bqr**, the BqR-Tree of this library, and with other structures, and "
+    "whether their answers are right. Goals first; then how it was timed and the structures, whether the rivals are as "
+    "quick as they can be, how the cost grows, speed for accuracy, each case by itself, moving cars, the extremes, and "
+    "the experiments of Pina 2009, as far as they were asked for. All figures are in summary.csv, runs.csv and the "
+    "other tables beside this file; columns.md explains them.\n\n";
+
 std::string head_text(const Options& options) {
   const Machine& m = this_machine();
   const Rows rows{{"", "what"},
@@ -29,7 +36,7 @@ std::string head_text(const Options& options) {
                   {"commit", m.commit},
                   {"finished", now_utc()},
                   {"seed", std::to_string(options.seed)}};
-  std::string text = "# Culling benchmark\n\n| " + rows[0][0] + " | |\n|---|---|\n";
+  std::string text = "# Culling benchmark\n" + std::string(kAbout) + "| " + rows[0][0] + " | |\n|---|---|\n";
   for (std::size_t i = 1; i < rows.size(); ++i) text += "| " + rows[i][0] + " | " + rows[i][1] + " |\n";
   return text + "\n";
 }
@@ -131,6 +138,15 @@ std::vector<std::string> cells(const SummaryRow& s) {
               (*s.dirty > 0 ? ", " + std::to_string(*s.dirty) + " dirty" : "")};
 }
 
+std::string structures_text(const Options& options) {
+  Rows rows{{"structure", "what it is"}};
+  for (const std::string& slug : options.peers) rows.push_back({slug, std::string(peer_info(slug)->what)});
+  rows.push_back(
+      {kSmallerCity, "beside 1M-1km: " + std::string(peer_info(kSmallerCity)->what) + ", on " + kSmallerCase});
+  return "## The structures\nAll are asked with the same views, in double, and answer with runs of objects.\n\n" +
+         md_table(rows);
+}
+
 std::string image(std::span<const std::string> plots, const std::string& name) {
   const bool drawn = std::find(plots.begin(), plots.end(), name) != plots.end();
   return drawn ? "![" + name + "](" + name + ".svg)\n\n" : "";
@@ -156,11 +172,15 @@ std::string report_md(const Options& options, std::span<const SummaryRow> table,
                       std::span<const std::string> plots) {
   std::string text = head_text(options);
   if (table.empty()) return text;
-  text += verdict_text(table, wrong) + goals_text(table) + how_text(options, table) + rivals_text(table);
+  text += verdict_text(table, wrong) + goals_text(table) + how_text(options, table);
+  text += structures_text(options) + rivals_text(table);
   text += image(plots, "size_paper") + image(plots, "size_objects");
   text += growth_text(table) + image(plots, "growth") + trade_text(table);
   for (const TradePlace& place : trade_places()) text += image(plots, place.name);
-  for (const std::string& name : cases_of(options)) text += case_text(table, name, plots);
+  for (const std::string& name : cases_of(options)) {
+    const Family family = case_info(name).family;
+    if (family == Family::speed || family == Family::file) text += case_text(table, name, plots);
+  }
   return text;
 }
 

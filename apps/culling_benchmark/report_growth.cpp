@@ -22,7 +22,8 @@ std::string cell(std::span<const SummaryRow> table, const Growth& growth, std::s
   const SummaryRow* row = find_row(table, growth.name, peer);
   if (row == nullptr) return "";
   const std::string us = digits3(*row->median_us);
-  return peer == "bqr" ? us : us + " (" + digits3(*row->ratio) + ")";
+  if (peer == "bqr") return us;
+  return us + " (" + digits3(*row->ratio) + " [" + digits3(*row->ratio_lo) + ", " + digits3(*row->ratio_hi) + "])";
 }
 
 std::string kind_text(std::span<const SummaryRow> table, const char* title, const Kind& kind) {

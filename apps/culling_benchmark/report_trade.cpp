@@ -109,7 +109,7 @@ std::string trade_text(std::span<const SummaryRow> table) {
          "of "
          "the box. Bold: nothing else is both quicker and more accurate. All carry the margin that their rounding "
          "needs, "
-         "so none may miss an object; without one, see the extremes.\n\n" +
+         "so none may miss an object; without one, see the extremes. Intervals are in summary.csv.\n\n" +
          text;
 }
 

@@ -62,13 +62,14 @@ TEST_CASE("growth: the table has a row a size and a cell a structure, empty wher
       s.case_name = name;
       s.peer = peer;
       s.median_us = s.case_name.starts_with("grow-10k") ? 2.5 : 1;
-      s.ratio = 3;
+      s.ratio = s.ratio_lo = 3;
+      s.ratio_hi = 4;
       s.accepted = 1000;
       s.frames = 10;
       table.push_back(s);
     }
   const std::string text = growth_text(table);
-  CHECK(text.find("| 10 000 | 2.50 |  |  |  | 2.50 (3.00) | 100 |") != std::string::npos);
+  CHECK(text.find("| 10 000 | 2.50 |  |  |  | 2.50 (3.00 [3.00, 4.00]) | 100 |") != std::string::npos);
   CHECK(text.find("two threads") == std::string::npos);
   CHECK(growth_text({}).empty());
   REQUIRE(growth_plots(table).size() == 1);
