@@ -18,11 +18,18 @@ std::string line_of(const std::vector<std::string>& cells) {
   return line + "\n";
 }
 
+/// By the first cell below the head.
+bool holds_words(std::span<const std::vector<std::string>> rows, std::size_t column) {
+  if (rows.size() < 2 || column >= rows[1].size() || rows[1][column].empty()) return false;
+  const char first = rows[1][column].front();
+  return (first >= 'A' && first <= 'Z') || (first >= 'a' && first <= 'z');
+}
+
 }  // namespace
 
 std::string md_table(std::span<const std::vector<std::string>> rows) {
-  std::string text = line_of(rows.front()) + "|---|";
-  for (std::size_t i = 1; i < rows.front().size(); ++i) text += "--:|";
+  std::string text = line_of(rows.front()) + "|";
+  for (std::size_t i = 0; i < rows.front().size(); ++i) text += i == 0 || holds_words(rows, i) ? "---|" : "--:|";
   text += "\n";
   for (const auto& row : rows.subspan(1)) text += line_of(row);
   return text + "\n";

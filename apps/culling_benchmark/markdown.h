@@ -6,7 +6,7 @@
 
 namespace manzana::culling_benchmark {
 
-/// A table whose first row is its head. Columns of numbers stand to the right: all but the first.
+/// A table whose first row is its head. Columns of numbers stand to the right: all but the first and those of words.
 std::string md_table(std::span<const std::vector<std::string>> rows);
 
 /// Three digits that count, never with an exponent: 0.503, 12.2, 32700.

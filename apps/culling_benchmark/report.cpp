@@ -115,6 +115,7 @@ std::string interval(const SummaryRow& s) {
 /// "Faster" needs the whole interval on one side.
 std::string finding(const SummaryRow& s) {
   if (s.peer == "bqr") return "";
+  if (s.peer == kSmallerCity) return "a smaller city";
   const bool all = *s.accepted == *s.objects * *s.frames;
   const std::string how = all ? ", but accepts all" : s.grain == "block" ? ", but whole blocks" : "";
   if (*s.ratio_lo > 1) return "slower" + how;
