@@ -1,26 +1,45 @@
-#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
 
 #include "culling/answer_access.h"
 
 namespace manzana::culling {
+namespace {
+
+/// By one byte of the first object; equal ones stay as they are.
+void sort_by_byte(std::span<const ObjectRun> runs, unsigned shift, List<ObjectRun>& to) {
+  std::array<std::uint32_t, 256> at{};
+  for (const ObjectRun& run : runs) ++at[run.first >> shift & 255U];
+  std::exclusive_scan(at.begin(), at.end(), at.begin(), 0U);
+  for (const ObjectRun& run : runs) to.begin()[at[run.first >> shift & 255U]++] = run;
+  to.end_at(to.begin() + runs.size());
+}
+
+}  // namespace
 
 void Answer::reserve(const BqrTree& tree) {
   objects_.reserve(std::size_t{tree.objects()} + kLanes);  // a run holds an object; one is written ahead
+  sorted_.reserve(std::size_t{tree.objects()} + kLanes);
   blocks_.reserve(tree.blocks());
   queue_.reserve(tree.nodes.size());
 }
 
 std::span<const ObjectRun> ordered(Answer& answer) {
   List<ObjectRun>& runs = Answer::Access::objects(answer);
-  ObjectRun* const begin = runs.begin();
-  ObjectRun* const end = begin + runs.items().size();
-  std::sort(begin, end, [](const ObjectRun& a, const ObjectRun& b) { return a.first < b.first; });
-  ObjectRun* to = begin;
-  for (const ObjectRun* run = begin; run != end; ++run)
-    if (to != begin && to[-1].last == run->first)
-      to[-1].last = run->last;
+  List<ObjectRun>& sorted = Answer::Access::sorted(answer);
+  std::uint32_t bits = 0;
+  for (const ObjectRun& run : runs.items()) bits |= run.first;
+  for (unsigned shift = 0; shift < 32 && bits >> shift != 0; shift += 8) {
+    sort_by_byte(runs.items(), shift, sorted);
+    std::swap(runs, sorted);
+  }
+  ObjectRun* to = runs.begin();
+  for (const ObjectRun& run : runs.items())
+    if (to != runs.begin() && to[-1].last == run.first)
+      to[-1].last = run.last;
     else
-      *to++ = *run;
+      *to++ = run;
   runs.end_at(to);
   return runs.items();
 }

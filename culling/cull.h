@@ -59,7 +59,7 @@ class Answer {
   struct Access;  ///< for the query itself
 
  private:
-  List<ObjectRun> objects_;
+  List<ObjectRun> objects_, sorted_;
   List<LeafRun> blocks_;
   List<Visit> queue_;
 };
@@ -87,7 +87,8 @@ CullStats cull(const BqrTree& tree, std::span<const Planes> views, std::span<Ans
 /// The kind of vectors that queries use on this processor: "AVX3", "AVX2", "SSE4", "NEON", ...
 const char* simd_target();
 
-/// In the tree's order, neighbours joined. For those that draw in order. O(n log n), no allocation.
+/// In the tree's order, neighbours joined. For those that draw in order. O(n): a radix sort, whose branches need not be
+/// guessed; no allocation.
 std::span<const ObjectRun> ordered(Answer& answer);
 
 std::uint64_t count(std::span<const ObjectRun> runs);

@@ -12,10 +12,10 @@ using culling::Overlap;
 VisibleSets::VisibleSets(const Scene& scene) : answer(scene.tree) { cars.reserve(scene.traffic.cars()); }
 
 void find_visible(const Scene& scene, const culling::View& view, Structure structure, VisibleSets& sets) {
-  const culling::FrustumD frustum = make_frustum(view);
-  sets.frustum = narrow(frustum, scene.tree.origin);
+  sets.frustum = make_frustum(view);
   // Without planes everything is inside.
-  const culling::Planes planes = structure == Structure::none ? culling::Planes{} : make_planes(scene.tree, frustum);
+  const culling::Planes planes =
+      structure == Structure::none ? culling::Planes{} : make_planes(scene.tree, sets.frustum);
   cull(scene.tree, planes, sets.answer, {.blocks = true});
   ordered(sets.answer);
 }
@@ -23,9 +23,10 @@ void find_visible(const Scene& scene, const culling::View& view, Structure struc
 CarStats find_cars(const Scene& scene, std::uint64_t tick, VisibleSets& sets) {
   CarStats stats;
   sets.cars.clear();
+  const culling::Frustum frustum = narrow(sets.frustum, scene.tree.origin);
   const auto unseen = [&](const CarState& car) {
     const auto ball = culling::narrow(culling::SphereD{car.position, kCarRadius}, scene.tree.origin);
-    return overlap(sets.frustum, ball) == Overlap::outside;
+    return overlap(frustum, ball) == Overlap::outside;
   };
   for (const LeafRun& run : sets.blocks()) {
     const auto first = static_cast<std::ptrdiff_t>(sets.cars.size());

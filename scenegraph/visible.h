@@ -24,7 +24,7 @@ struct VisibleSets {
   std::span<const culling::LeafRun> blocks() const { return answer.blocks(); }
 
   culling::Answer answer;
-  culling::Frustum frustum;  ///< relative to the tree's origin
+  culling::FrustumD frustum;  ///< of the last view
   std::vector<CarState> cars;
 };
 

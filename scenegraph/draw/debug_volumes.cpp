@@ -79,7 +79,7 @@ void add_lanes(Lines& lines, const culling::BqrTree& tree, std::uint32_t at, con
       add_box(lines, origin + box.min, origin + box.max, where == Overlap::inside ? kInside : kCrossing);
       continue;
     }
-    add_circles(lines, origin + ball.center, ball.radius, depth_colour(node.depth));
+    if ((node.balls >> i & 1) != 0) add_circles(lines, origin + ball.center, ball.radius, depth_colour(node.depth));
     add_box(lines, origin + box.min, origin + box.max, depth_colour(node.depth));
     add_lanes(lines, tree, node.child[i], frustum, origin);
   }

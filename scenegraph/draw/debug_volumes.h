@@ -1,7 +1,7 @@
 #pragma once
 /// The tree's volumes as lines: what a frozen frustum sees, looked at from elsewhere. Of the lanes that are not
-/// outside: three circles and a box each, coloured by depth, where a lane is a node; a box where it is a block,
-/// coloured by whether it is inside; and the frozen pyramid. Only for looking: allocates.
+/// outside: where a lane is a node, a box and, if its sphere tells more, that one's three circles, coloured by depth;
+/// where it is a block, a box, coloured by whether it is inside; and the frozen pyramid. Only for looking: allocates.
 #include <vector>
 
 #include "culling/bqr_tree.h"
