@@ -1,5 +1,6 @@
 #include "culling/frustum.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cfloat>
 #include <cmath>
@@ -33,9 +34,12 @@ Vec3d right_of(const Vec3d& forward, const Vec3d& up) {
   return unit(side - glm::dot(side, forward) * forward);
 }
 
-/// The plane through the eye that holds sign * (side - tangent * forward) >= 0.
+/// The plane through the eye that holds sign * (side - tangent * forward) >= 0. Divided by the larger part first, so
+/// that no square overflows; std::hypot is as good, but a frame comes to the library's code cold, and waits 2 us for
+/// it.
 PlaneD side_plane(const Vec3d& side, const Vec3d& forward, double tangent, double sign) {
-  const Vec3d normal = sign * (side - tangent * forward) / std::hypot(1.0, tangent);
+  const double larger = std::max(1.0, std::abs(tangent)), a = 1 / larger, b = tangent / larger;
+  const Vec3d normal = sign * (a * side - b * forward) / std::sqrt(a * a + b * b);
   return finite(normal) ? PlaneD{normal, 0} : kNoPlane;
 }
 
