@@ -1,5 +1,6 @@
 #include "culling/overlap.h"
 
+#include <bit>
 #include <cfloat>
 #include <cmath>
 #include <cstddef>
@@ -56,6 +57,18 @@ Sides sides(const Frustum& frustum, const Box& box) {
     set(all.inside, k, worst.s > worst.m);
   }
   return all;
+}
+
+bool outside(const FrustumD& frustum, unsigned planes, const SphereD& ball) {
+  if (ball.empty()) return true;
+  const Vec3d at = ball.center - frustum.eye, sizes = glm::abs(ball.center) + glm::abs(frustum.eye);
+  const double size = sizes.x + sizes.y + sizes.z + ball.radius;
+  for (planes &= (1U << frustum.count) - 1U; planes != 0; planes &= planes - 1) {
+    const PlaneD& plane = frustum.planes[static_cast<std::size_t>(std::countr_zero(planes))];
+    const double margin = 32 * DBL_EPSILON * (size + std::abs(plane.offset));
+    if (glm::dot(plane.normal, at) + plane.offset < -(ball.radius + margin)) return true;
+  }
+  return false;
 }
 
 bool overlaps(const Sphere& sphere, const Box& box) {

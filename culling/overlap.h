@@ -41,6 +41,12 @@ Overlap overlap(const Frustum& frustum, const Box& box);
 /// either is, inside when for each plane either is.  [Pina 2009, 3.1; numerics 2.3]
 Overlap overlap(const Frustum& frustum, const Sphere& sphere, const Box& box);
 
+/// Whether a ball in L is certainly beyond one of the planes that have a bit in `planes`. In double, for what is at
+/// another place in every frame: narrowing it would take longer than the answer.
+///   margin 64 u (|c| + |e| + |d|), u = 2^-53, eye e: normals and offsets are exact to 4 units; the difference c - e,
+///   products and sums round by 5 units more
+bool outside(const FrustumD& frustum, unsigned planes, const SphereD& ball);
+
 /// Closed sets: touching counts; empty meets nothing; a NaN meets everything. Computed in double, with a margin of 16
 /// units of it.  [Arvo, Graphics Gems (1990), p. 335; numerics 2.4]
 bool overlaps(const Sphere& sphere, const Box& box);

@@ -7,7 +7,6 @@
 namespace manzana {
 
 using culling::LeafRun;
-using culling::Overlap;
 
 VisibleSets::VisibleSets(const Scene& scene) : answer(scene.tree) { cars.reserve(scene.traffic.cars()); }
 
@@ -23,12 +22,10 @@ void find_visible(const Scene& scene, const culling::View& view, Structure struc
 CarStats find_cars(const Scene& scene, std::uint64_t tick, VisibleSets& sets) {
   CarStats stats;
   sets.cars.clear();
-  const culling::Frustum frustum = narrow(sets.frustum, scene.tree.origin);
-  const auto unseen = [&](const CarState& car) {
-    const auto ball = culling::narrow(culling::SphereD{car.position, kCarRadius}, scene.tree.origin);
-    return overlap(frustum, ball) == Overlap::outside;
-  };
   for (const LeafRun& run : sets.blocks()) {
+    const auto unseen = [&](const CarState& car) {
+      return outside(sets.frustum, run.planes, {car.position, kCarRadius});
+    };
     const auto first = static_cast<std::ptrdiff_t>(sets.cars.size());
     for (std::uint32_t block = run.first; block < run.last; ++block)
       stats += cars_of_block(scene.traffic, block, tick, sets.cars);

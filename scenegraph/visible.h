@@ -31,8 +31,8 @@ struct VisibleSets {
 void find_visible(const Scene& scene, const culling::View& view, Structure structure, VisibleSets& sets);
 
 /// The cars on half-streets of the visible blocks; in blocks that cross the frustum, each is tested with a ball of
-/// kCarRadius. Call after find_visible. What it costs follows the half-streets of those blocks and the cars on them,
-/// whatever there is elsewhere.
+/// kCarRadius against the planes that the block may cross. Call after find_visible. What it costs follows the
+/// half-streets of those blocks and the cars on them, whatever there is elsewhere.
 CarStats find_cars(const Scene& scene, std::uint64_t tick, VisibleSets& sets);
 
 }  // namespace manzana

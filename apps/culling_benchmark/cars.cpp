@@ -75,7 +75,8 @@ Scene make_cars_scene(std::uint32_t cars, std::uint64_t seed) {
 }
 
 std::vector<culling::View> fly(const Scene& scene, const CarsFlight& flight) {
-  const Vec3d middle = culling::center(scene.bounds), size = scene.bounds.max - scene.bounds.min;
+  const Vec3d size = scene.bounds.max - scene.bounds.min;
+  const Vec3d middle(Vec2d(culling::center(scene.bounds)), scene.bounds.min.z);
   const bool all = scene.traffic.cars() <= flight.in_view;
   const double round = all ? 0 : 0.2 * std::min(size.x, size.y);
   double away = 1.5 * glm::length(size) * std::sqrt(std::min(1.0, flight.in_view / double(scene.traffic.cars())));

@@ -73,6 +73,44 @@ SphereD tangent_sphere(const Setting& set, Random& random) {
   return {set.view.eye + Vec3d(t.point + t.away * static_cast<Real>(r - depth)), r};
 }
 
+/// In double, against all planes.
+void ask_in_double(const Setting& set, const FrustumD& frustum, const SphereD& ball, Tally& tally) {
+  const Vec3l c = Vec3l(ball.center) - Vec3l(set.view.eye);
+  const Real r = static_cast<Real>(ball.radius);
+  const bool truth = distance_to(set.truth, c) <= r - (ball.radius > 0 ? kDoubt : 0);
+  const bool gone = outside(frustum, kAllPlanes, ball);
+  tally.add(truth, true, gone ? Overlap::outside : Overlap::crosses);
+  bool any = false;
+  for (unsigned k = 0; k < 8; ++k) any |= outside(frustum, 1U << k, ball);
+  REQUIRE(any == gone);
+  REQUIRE(!outside(frustum, 0, ball));
+}
+
+TEST_CASE("sphere and frustum in double: nothing is lost") {
+  Tally uniform, tangent;
+  for (const Vec3d& eye : eyes()) {
+    Random random(33);
+    for (int camera = 0; camera < 100; ++camera) {
+      const Setting set = random_setting(random, eye);
+      const FrustumD frustum = make_frustum(set.view);
+      for (int i = 0; i < 700; ++i) ask_in_double(set, frustum, uniform_sphere(set, random), uniform);
+      for (int i = 0; i < 700; ++i) ask_in_double(set, frustum, tangent_sphere(set, random), tangent);
+    }
+  }
+  uniform.check("spheres in double, uniform (seed 33)");
+  tangent.check("spheres in double, tangent");
+}
+
+TEST_CASE("sphere and frustum in double: a NaN never culls and empty spheres are outside") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  FrustumD frustum = make_frustum(look({0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1, 1));
+  CHECK(outside(frustum, kAllPlanes, {{0, -50, 0}, 1}));
+  CHECK(!outside(frustum, kAllPlanes, {{nan, -50, 0}, 1}));
+  CHECK(outside(frustum, kAllPlanes, SphereD{}));
+  for (PlaneD& plane : frustum.planes) plane.offset = nan;
+  CHECK(!outside(frustum, kAllPlanes, {{0, -50, 0}, 1}));
+}
+
 void ask_spheres(int per_camera, int cameras) {
   Tally uniform, tangent;
   for (const Vec3d& eye : eyes()) {
