@@ -52,20 +52,20 @@ class Builder {
     for (const BlockVolume& b : in_) all = merge(all, b.box);
     tree_.origin = glm::round(center(all));
     const std::size_t n = in_.size();
-    std::uint32_t objects = 0, numbers = 0;
+    std::uint32_t objects = 0, packets = 0;
     for (const std::uint32_t row : tree_.order) {
       const BlockVolume& b = in_[row];
       boxes_.push_back({b.box.min - tree_.origin, b.box.max - tree_.origin});
       spheres_.push_back(relative(b.sphere, tree_.origin));
       const std::uint32_t count = objects_.first.empty() ? 0 : objects_.first[row + 1] - objects_.first[row];
       tree_.block_objects.push_back({objects, objects + count});
-      packed_.push_back(numbers);
+      packed_.push_back(packets);
       objects += count;
-      numbers += packed_size(count);
+      packets += packets_of(count);
     }
     tree_.place.resize(n);
     tree_.object_order.resize(objects);
-    tree_.packets.assign(std::size_t{numbers} * 8 + kPacket, 0);
+    tree_.packets.resize(packets);
     if (!objects_.classes.empty()) tree_.classes.assign(objects + kPacket, 0);
   }
 
@@ -238,7 +238,8 @@ BqrTree build_bqr_tree(std::span<const BlockVolume> blocks, const BlockObjects& 
 }
 
 std::size_t query_bytes(const BqrTree& tree) {
-  return tree.nodes.size() * sizeof(BqrNode) + (tree.packets.size() + tree.classes.size()) * sizeof(std::uint16_t);
+  return tree.nodes.size() * sizeof(BqrNode) + tree.packets.size() * sizeof(Packet) +
+         tree.classes.size() * sizeof(ClassMask);
 }
 
 }  // namespace manzana::culling

@@ -215,12 +215,12 @@ class Insertion {
 
 /// Room at the end of all that is per object; where the packets begin.
 std::uint32_t append_room(BqrTree& tree, std::uint32_t count, bool classes) {
-  const std::size_t packets = tree.packets.empty() ? 0 : tree.packets.size() - kPacket;
-  tree.packets.resize(packets + std::size_t{packed_size(count)} * 8 + kPacket);
+  const std::size_t packets = tree.packets.size();
+  tree.packets.resize(packets + packets_of(count));
   if (classes && tree.classes.empty()) tree.classes.assign(tree.objects() + kPacket, kAllClasses);
   tree.object_order.resize(tree.objects() + count);
   if (!tree.classes.empty()) tree.classes.resize(tree.objects() + kPacket);
-  return static_cast<std::uint32_t>(packets / 8);
+  return static_cast<std::uint32_t>(packets);
 }
 
 void put(BqrTree& tree, std::uint32_t block, const BlockVolume& volume, const NewObjects& objects) {

@@ -53,6 +53,12 @@ inline constexpr std::uint32_t kPacket = 32;  ///< objects of a packet
 using Lanes16 = std::array<std::uint16_t, kLanes>;
 using Lanes32 = std::array<std::uint32_t, kLanes>;
 
+/// Boxes of up to 32 objects: their reaches on the lattice of their block, a column after the other; unused rows are 0.
+/// A column is a cache line, and a plane asks three.
+struct alignas(64) Packet {
+  std::array<std::array<std::uint16_t, kPacket>, 6> box{};
+};
+
 /// Up to 16 children side by side, on the node's lattice. A lane is a node, a block, or nothing. What a query reads
 /// first stands first: it comes to nodes cold.
 struct alignas(64) BqrNode {
@@ -69,7 +75,7 @@ struct alignas(64) BqrNode {
   Lanes16 classes{};                    ///< united over all objects below
   std::array<Lanes16, 6> box{};         ///< reaches
   Lanes32 first{}, last{};              ///< objects
-  Lanes32 child{};                      ///< a node; or where a block's packets begin, in units of 8 numbers
+  Lanes32 child{};                      ///< a node; or where a block's packets begin
   std::array<Lanes16, 4> sphere{};      ///< centre x, y, z; radius in units of the test
   Lanes32 first_block{}, last_block{};  ///< blocks
 };
@@ -79,7 +85,7 @@ struct BqrTree {
   double reach = 0;       ///< no lattice reaches farther from the origin, metres
   std::uint32_t root = 0;
   std::vector<BqrNode> nodes;               ///< as built: depth first, the root first
-  std::vector<std::uint16_t> packets;       ///< reaches of objects, six columns a packet, and 32 numbers to spare
+  std::vector<Packet> packets;              ///< of a block with more than one: first those that enclose 32 each
   std::vector<ClassMask> classes;           ///< a row an object, and 32 to spare; empty: all are of all classes
   std::vector<ObjectRun> block_objects;     ///< a row a block, in the tree's order
   std::vector<std::uint32_t> place;         ///< of a block: node * 16 + lane

@@ -34,11 +34,13 @@ class Traversal {
  public:
   Traversal(const BqrTree& tree, std::span<const Planes> views, std::span<Answer> answers, const CullOptions& options)
       : tree_(tree),
-        views_(views),
+        packets_(tree.packets.data()),
+        views_(views.size()),
         queue_(Answer::Access::queue(answers[0])),
         options_(options),
         filtered_(options.classes != kAllClasses) {
     for (std::size_t v = 0; v < answers.size(); ++v) {
+      spread(views[v], planes_[v]);
       objects_[v] = Answer::Access::objects(answers[v]).begin();
       blocks_[v] = Answer::Access::blocks(answers[v]).begin();
     }
@@ -100,15 +102,18 @@ class Traversal {
 
   void push_root() {
     Answer::Visit& root = queue_[end_++];
-    root = {tree_.root, low_bits(static_cast<std::uint32_t>(views_.size())), 0};
-    for (std::size_t v = 0; v < views_.size(); ++v) root.planes |= std::uint64_t{views_[v].used} << (8 * v);
+    root = {tree_.root, 0, 0};
+    for (std::size_t v = 0; v < (kOne ? 1 : views_); ++v) {
+      root.views |= 1U << v;
+      root.planes |= std::uint64_t{planes_[v].planes->used} << (8 * v);
+    }
   }
 
   HWY_INLINE void test(const Answer::Visit& visit, std::uint32_t i) {
     const BqrNode& n = tree_.nodes[visit.node];
     each_view(visit.views, [&](std::size_t v) {
       NodeResult& result = results_[i * kViews + v];
-      test_node(views_[v], planes_of(visit, v), n, result);
+      test_node(planes_[v], planes_of(visit, v), n, result);
       if (filtered_) filter(n, result);
     });
   }
@@ -146,15 +151,16 @@ class Traversal {
 
   /// Neighbouring lanes that are inside are one run.
   HWY_INLINE void take(const BqrNode& n, std::uint32_t lanes, std::size_t v) {
-    std::uint32_t starts = n.ordered ? lanes & ~(lanes << 1) : lanes;
-    std::uint32_t ends = n.ordered ? lanes & ~(lanes >> 1) : lanes;
-    for (; starts != 0; starts &= starts - 1, ends &= ends - 1) {
-      const auto a = static_cast<std::size_t>(std::countr_zero(starts)),
-                 b = static_cast<std::size_t>(std::countr_zero(ends));
-      *objects_[v] = {n.first[a], n.last[b]};
-      objects_[v] += n.first[a] != n.last[b] ? 1 : 0;
-      if (options_.blocks) *blocks_[v]++ = {n.first_block[a], n.last_block[b], 0};
-    }
+    const std::uint32_t starts = n.ordered ? lanes & ~(lanes << 1) : lanes;
+    const std::uint32_t ends = n.ordered ? lanes & ~(lanes >> 1) : lanes;
+    objects_[v] = write_runs(n, starts, ends, objects_[v]);
+    if (options_.blocks) take_blocks(n, starts, ends, v);
+  }
+
+  HWY_NOINLINE void take_blocks(const BqrNode& n, std::uint32_t starts, std::uint32_t ends, std::size_t v) {
+    for (; starts != 0; starts &= starts - 1, ends &= ends - 1)
+      *blocks_[v]++ = {n.first_block[static_cast<std::size_t>(std::countr_zero(starts))],
+                       n.last_block[static_cast<std::size_t>(std::countr_zero(ends))], 0};
   }
 
   HWY_INLINE void doubt(const BqrNode& n, const NodeResult& result, std::uint32_t lanes, std::size_t v) {
@@ -163,7 +169,7 @@ class Traversal {
       const std::uint32_t count = n.last[i] - n.first[i];
       doubts_[doubted_++] = {
           n.child[i], n.first[i], count, result.planes[i], &result.need[0][i], 0, static_cast<std::uint32_t>(v)};
-      prefetch(&tree_.packets[std::size_t{n.child[i]} * 8], 2 * 6 * kPacket);
+      prefetch(packets_ + n.child[i], sizeof(Packet));
       if (options_.blocks) *blocks_[v]++ = {n.first_block[i], n.first_block[i] + 1, result.planes[i]};
     }
   }
@@ -171,8 +177,8 @@ class Traversal {
   HWY_INLINE void settle() {
     for (std::uint32_t i = 0; i < doubted_; ++i) {
       Doubt& b = doubts_[i];
-      if (b.count > kPacket) continue;
-      b.keep = ask(b, packets(b), (b.count + 7) / 8 * 8) & low_bits(b.count);
+      if (b.count - 1 >= kPacket) continue;  // none, or more than one packet
+      b.keep = ask(b, b.packets) & low_bits(b.count);
       if (filtered_) b.keep &= wanted(b.first);
     }
     for (std::uint32_t i = 0; i < doubted_; ++i)
@@ -187,15 +193,13 @@ class Traversal {
 
   /// More than one packet: first those that enclose packets.
   HWY_NOINLINE void settle_large(const Doubt& b) {
-    constexpr std::uint32_t kNumbers = 6 * kPacket;
     const std::uint32_t n = (b.count + kPacket - 1) / kPacket, enclosing = (n + kPacket - 1) / kPacket;
     for (std::uint32_t e = 0; e < enclosing; ++e) {
-      std::uint32_t open = ask(b, packets(b) + e * kNumbers, kPacket) & low_bits(std::min(kPacket, n - e * kPacket));
+      std::uint32_t open = ask(b, b.packets + e) & low_bits(std::min(kPacket, n - e * kPacket));
       for (; open != 0; open &= open - 1) {
         const std::uint32_t p = e * kPacket + static_cast<std::uint32_t>(std::countr_zero(open));
         const std::uint32_t first = b.first + p * kPacket;
-        std::uint32_t keep = ask(b, packets(b) + std::size_t{enclosing + p} * kNumbers, kPacket) &
-                             low_bits(std::min(kPacket, b.count - p * kPacket));
+        std::uint32_t keep = ask(b, b.packets + enclosing + p) & low_bits(std::min(kPacket, b.count - p * kPacket));
         if (filtered_) keep &= wanted(first);
         take_bits(first, keep, b.view);
         ++stats_.packets;
@@ -203,10 +207,8 @@ class Traversal {
     }
   }
 
-  const std::uint16_t* packets(const Doubt& b) const { return &tree_.packets[std::size_t{b.packets} * 8]; }
-
-  HWY_INLINE std::uint32_t ask(const Doubt& b, const std::uint16_t* packet, std::uint32_t length) const {
-    return kept(views_[b.view], b.planes, packet, length, b.need);
+  HWY_INLINE std::uint32_t ask(const Doubt& b, std::uint32_t packet) const {
+    return kept(planes_[kOne ? 0 : b.view], b.planes, packets_[packet], b.need);
   }
 
   std::uint32_t wanted(std::uint32_t first) const {
@@ -215,12 +217,7 @@ class Traversal {
   }
 
   HWY_INLINE void take_bits(std::uint32_t first, std::uint32_t keep, std::uint32_t v) {
-    std::uint32_t starts = keep & ~(keep << 1), ends = keep & ~(keep >> 1);
-    ObjectRun* to = objects_[v];
-    for (; starts != 0; starts &= starts - 1, ends &= ends - 1)
-      *to++ = {first + static_cast<std::uint32_t>(std::countr_zero(starts)),
-               first + static_cast<std::uint32_t>(std::countr_zero(ends)) + 1};
-    objects_[v] = to;
+    objects_[v] = write_runs(first, keep, objects_[v]);
   }
 
   static HWY_INLINE void prefetch(const void* at, std::size_t bytes) {
@@ -228,7 +225,8 @@ class Traversal {
   }
 
   const BqrTree& tree_;
-  std::span<const Planes> views_;
+  const Packet* const packets_;
+  const std::size_t views_;
   Answer::Visit* queue_;
   const CullOptions options_;
   const bool filtered_;
@@ -236,6 +234,7 @@ class Traversal {
   std::array<LeafRun*, kViews> blocks_{};
   std::uint32_t end_ = 0, doubted_ = 0;
   CullStats stats_;
+  std::array<SpreadPlanes, kViews> planes_;
   std::array<NodeResult, kBatch * kViews> results_;
   std::array<Doubt, kBatch * kViews * kLanes> doubts_;
 };

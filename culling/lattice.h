@@ -20,6 +20,7 @@
 /// boxes and the centres of balls are within the lattice. What doubles round before they are rounded outward here is
 /// part of m.
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "culling/volumes.h"
@@ -34,6 +35,11 @@ struct Lattice {
   double step = 1;
   Vec3d far_corner() const { return corner + kLatticeEnd * step; }
 };
+
+/// A_i.
+inline std::uint16_t lattice_factor(double n) {
+  return static_cast<std::uint16_t>(static_cast<int>(kTestScale * std::abs(n)) + 1);
+}
 
 /// No point between its corners is farther from the origin.
 double reach_of(const Lattice& lattice);

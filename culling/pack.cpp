@@ -11,9 +11,8 @@ namespace manzana::culling {
 namespace {
 
 constexpr std::uint32_t kColumns = 6;
-constexpr std::uint32_t kPacketNumbers = kColumns * kPacket;
 
-std::uint32_t packets_of(std::uint32_t objects) { return (objects + kPacket - 1) / kPacket; }
+std::uint32_t filled(std::uint32_t objects) { return (objects + kPacket - 1) / kPacket; }
 
 /// Bits 0 to 15 of x to every second place.
 std::uint32_t spread(std::uint32_t x) {
@@ -44,22 +43,18 @@ struct Packing {
   Reaches reaches;
 };
 
-/// One column number each; `stride` between columns.
-void write(std::uint16_t* column, std::uint32_t stride, const Reaches& r) {
-  for (std::size_t k = 0; k < kColumns; ++k) column[k * stride] = std::max(column[k * stride], r[k]);
+/// Row i encloses what it did, and r.
+void widen(Packet& packet, std::size_t i, const Reaches& r) {
+  for (std::size_t k = 0; k < kColumns; ++k) packet.box[k][i] = std::max(packet.box[k][i], r[k]);
 }
 
-void write_packets(std::uint16_t* out, const std::vector<Packing>& objects) {
-  const auto n = static_cast<std::uint32_t>(objects.size());
-  if (n <= kPacket) {
-    for (std::uint32_t i = 0; i < n; ++i) write(out + i, (n + 7) / 8 * 8, objects[i].reaches);
-    return;
-  }
-  std::uint16_t* packets = out + std::size_t{packets_of(packets_of(n))} * kPacketNumbers;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t p = i / kPacket;
-    write(packets + std::size_t{p} * kPacketNumbers + i % kPacket, kPacket, objects[i].reaches);
-    write(out + std::size_t{p / kPacket} * kPacketNumbers + p % kPacket, kPacket, objects[i].reaches);
+void write_packets(Packet* out, const std::vector<Packing>& objects) {
+  Packet* const packets =
+      out + packets_of(static_cast<std::uint32_t>(objects.size())) - filled(static_cast<std::uint32_t>(objects.size()));
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::size_t p = i / kPacket;
+    widen(packets[p], i % kPacket, objects[i].reaches);
+    if (packets != out) widen(out[p / kPacket], p % kPacket, objects[i].reaches);
   }
 }
 
@@ -136,9 +131,8 @@ std::uint8_t finest_shift(const BqrNode& node) {
   return static_cast<std::uint8_t>(std::bit_width(65535U / extent) - 1);
 }
 
-std::uint32_t packed_size(std::uint32_t objects) {
-  if (objects <= kPacket) return (objects + 7) / 8 * kColumns;
-  return (packets_of(objects) + packets_of(packets_of(objects))) * (kPacketNumbers / 8);
+std::uint32_t packets_of(std::uint32_t objects) {
+  return filled(objects) + (objects > kPacket ? filled(filled(objects)) : 0);
 }
 
 void pack_objects(BqrTree& tree, std::uint32_t block, const BlockObjects& objects, std::uint32_t from,
@@ -160,7 +154,7 @@ void pack_objects(BqrTree& tree, std::uint32_t block, const BlockObjects& object
   }
   std::sort(packing.begin(), packing.end(),
             [](const Packing& a, const Packing& b) { return std::pair(a.key, a.row) < std::pair(b.key, b.row); });
-  write_packets(tree.packets.data() + std::size_t{node.child[lane]} * 8, packing);
+  write_packets(&tree.packets[node.child[lane]], packing);
   for (std::uint32_t i = 0; i < packing.size(); ++i) {
     tree.object_order[run.first + i] = packing[i].row;
     if (tree.classes.empty()) continue;

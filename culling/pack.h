@@ -23,9 +23,8 @@ void set_volumes(BqrNode& node, std::uint32_t lane, const BoxD& box, const Spher
 /// How much finer the lattices of a node's blocks can be: that of the largest must not end before its box does.
 std::uint8_t finest_shift(const BqrNode& node);
 
-/// Numbers that the packets of so many objects take, in units of 8. Up to 32 objects: six columns, as long as needed.
-/// More: packets of 32 boxes that enclose one packet each, then the packets.
-std::uint32_t packed_size(std::uint32_t objects);
+/// Packets of so many objects: one for up to 32. More: some whose boxes enclose a packet each, then those packets.
+std::uint32_t packets_of(std::uint32_t objects);
 
 /// Writes the packets, the classes and the order of a block's objects; the block has its place, its run and room for
 /// its packets. Rows of the input from `from`. Throws for bad objects.

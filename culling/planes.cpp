@@ -15,17 +15,6 @@ bool usable(const PlaneD& p) {
   return size > 0 && std::isfinite(size + p.offset);
 }
 
-void fill(Planes::Column& c, const Vec3d& normal) {
-  for (int i = 0; i < 3; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const bool back = normal[i] < 0;
-    c.a[k].fill(static_cast<std::uint16_t>(static_cast<int>(kTestScale * std::abs(normal[i])) + 1));
-    c.flip[k] = back ? 0xFFFF : 0;
-    c.inner[k] = static_cast<std::uint16_t>(back ? i + 3 : i);
-    c.outer[k] = static_cast<std::uint16_t>(back ? i : i + 3);
-  }
-}
-
 }  // namespace
 
 Planes make_planes(const BqrTree& tree, const FrustumD& frustum) {
@@ -46,7 +35,6 @@ Planes make_planes(const BqrTree& tree, const FrustumD& frustum) {
     planes.turned[k] =
         kLatticeEnd * (std::max(-p.normal.x, 0.0) + std::max(-p.normal.y, 0.0) + std::max(-p.normal.z, 0.0));
     planes.margin[k] = 64 * kUnit * (farthest + std::abs(p.offset));
-    fill(planes.columns[k], p.normal);
   }
   return planes;
 }

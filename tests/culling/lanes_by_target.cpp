@@ -16,17 +16,20 @@ void node_answer(const Planes& planes, unsigned which, const BqrNode& node, test
   const Thresholds t = thresholds_of(planes, node);
   answer.t_out = t.out;
   answer.t_in = t.in;
+  SpreadPlanes spread_planes;
+  spread(planes, spread_planes);
   NodeResult result;
-  test_node(planes, which, node, result);
+  test_node(spread_planes, which, node, result);
   answer.need = result.need;
   answer.planes = result.planes;
   answer.alive = result.alive;
   answer.inside = result.inside;
 }
 
-std::uint32_t packet_answer(const Planes& planes, unsigned which, const std::uint16_t* packet,
-                            const std::uint16_t* need) {
-  return kept(planes, which, packet, kPacket, need);
+std::uint32_t packet_answer(const Planes& planes, unsigned which, const Packet& packet, const std::uint16_t* need) {
+  SpreadPlanes spread_planes;
+  spread(planes, spread_planes);
+  return kept(spread_planes, which, packet, need);
 }
 
 }  // namespace manzana::culling::HWY_NAMESPACE
@@ -42,8 +45,7 @@ test::NodeAnswer test::ask_node(const Planes& planes, unsigned which, const BqrN
   HWY_DYNAMIC_DISPATCH(node_answer)(planes, which, node, answer);
   return answer;
 }
-std::uint32_t test::ask_packet(const Planes& planes, unsigned which, const std::uint16_t* packet,
-                               const std::uint16_t* need) {
+std::uint32_t test::ask_packet(const Planes& planes, unsigned which, const Packet& packet, const std::uint16_t* need) {
   return HWY_DYNAMIC_DISPATCH(packet_answer)(planes, which, packet, need);
 }
 }  // namespace manzana::culling

@@ -13,6 +13,6 @@ struct NodeAnswer {
 NodeAnswer ask_node(const Planes& planes, unsigned which, const BqrNode& node);
 
 /// 32 boxes in columns. `need` of one lane.
-std::uint32_t ask_packet(const Planes& planes, unsigned which, const std::uint16_t* packet, const std::uint16_t* need);
+std::uint32_t ask_packet(const Planes& planes, unsigned which, const Packet& packet, const std::uint16_t* need);
 
 }  // namespace manzana::culling::test

@@ -160,14 +160,14 @@ void check_objects(const Setting& set, const NodeAnswer& answer, std::size_t i, 
   check_need(set, answer, i, frame);
   const double steps = std::ldexp(1 / static_cast<double>(set.node.step), set.node.shift);
   std::array<BoxD, kPacket> boxes;
-  std::array<std::uint16_t, 6 * kPacket> packet{};
+  Packet packet;
   for (std::size_t j = 0; j < kPacket; ++j) {
     const Vec3d a = within(set.boxes[i], random), b = glm::mix(a, within(set.boxes[i], random), random.unit());
     boxes[j] = random.chance(0.1) ? set.boxes[i] : BoxD{glm::min(a, b), glm::max(a, b)};
     const Reaches r = reaches_of(boxes[j], frame.min, frame.max, steps);
-    for (std::size_t c = 0; c < 6; ++c) packet[c * kPacket + j] = r[c];
+    for (std::size_t c = 0; c < 6; ++c) packet.box[c][j] = r[c];
   }
-  const std::uint32_t kept = ask_packet(set.planes, which, packet.data(), &answer.need[0][i]);
+  const std::uint32_t kept = ask_packet(set.planes, which, packet, &answer.need[0][i]);
   for (std::size_t j = 0; j < kPacket; ++j) {
     bool outside = false;
     for (std::size_t k = 0; k < planes_of(set); ++k) {

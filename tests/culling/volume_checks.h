@@ -48,20 +48,18 @@ class VolumeChecks {
     const auto [first, last] = tree_.block_objects[b];
     const std::uint32_t n = last - first, packets = (n + kPacket - 1) / kPacket,
                         enclosing = n > kPacket ? (packets + kPacket - 1) / kPacket : 0;
-    const std::size_t begin = std::size_t{node.child[lane]} * 8;
-    if (n > 0) REQUIRE(begin + std::size_t{packed_size(n)} * 8 + kPacket <= tree_.packets.size());
-    const std::uint32_t length = n > kPacket ? kPacket : (n + 7) / 8 * 8;
+    const std::size_t begin = node.child[lane];
+    if (n > 0) REQUIRE(begin + packets_of(n) <= tree_.packets.size());
     const BoxD frame = lane_box(node, lane);
     const double step = std::ldexp(static_cast<double>(node.step), -node.shift);
     for (std::uint32_t i = 0; i < n; ++i) {
       const BoxD& box = box_of(first + i);
       const std::uint32_t p = i / kPacket;
-      const BoxD own = decoded(frame, step, begin + std::size_t{enclosing + p} * 6 * kPacket, length, i % kPacket);
+      const BoxD own = decoded(frame, step, begin + enclosing + p, i % kPacket);
       REQUIRE(contains(own, box));
       REQUIRE(within(own, box, static_cast<Real>(step)));
       if (enclosing == 0) continue;
-      const std::size_t round = begin + std::size_t{p / kPacket} * 6 * kPacket;
-      REQUIRE(contains(decoded(frame, step, round, kPacket, p % kPacket), box));
+      REQUIRE(contains(decoded(frame, step, begin + p / kPacket, p % kPacket), box));
     }
   }
 
@@ -80,8 +78,8 @@ class VolumeChecks {
     return std::max({low.x, low.y, low.z, high.x, high.y, high.z}) <= distance + tolerance_;
   }
 
-  BoxD decoded(const BoxD& frame, double step, std::size_t packet, std::uint32_t length, std::uint32_t i) const {
-    const auto at = [&](std::uint32_t k) { return step * tree_.packets.at(packet + std::size_t{k} * length + i); };
+  BoxD decoded(const BoxD& frame, double step, std::size_t packet, std::uint32_t i) const {
+    const auto at = [&](std::uint32_t k) { return step * tree_.packets.at(packet).box.at(k).at(i); };
     return {frame.max - Vec3d(at(3), at(4), at(5)), frame.min + Vec3d(at(0), at(1), at(2))};
   }
 
