@@ -169,7 +169,7 @@ class Traversal {
       const std::uint32_t count = n.last[i] - n.first[i];
       doubts_[doubted_++] = {
           n.child[i], n.first[i], count, result.planes[i], &result.need[0][i], 0, static_cast<std::uint32_t>(v)};
-      prefetch(packets_ + n.child[i], sizeof(Packet));
+      fetch(packets_[n.child[i]], result.planes[i], v);
       if (options_.blocks) *blocks_[v]++ = {n.first_block[i], n.first_block[i] + 1, result.planes[i]};
     }
   }
@@ -196,6 +196,9 @@ class Traversal {
     const std::uint32_t n = (b.count + kPacket - 1) / kPacket, enclosing = (n + kPacket - 1) / kPacket;
     for (std::uint32_t e = 0; e < enclosing; ++e) {
       std::uint32_t open = ask(b, b.packets + e) & low_bits(std::min(kPacket, n - e * kPacket));
+      for (std::uint32_t p = open; p != 0; p &= p - 1)
+        fetch(packets_[b.packets + enclosing + e * kPacket + static_cast<std::uint32_t>(std::countr_zero(p))], b.planes,
+              b.view);
       for (; open != 0; open &= open - 1) {
         const std::uint32_t p = e * kPacket + static_cast<std::uint32_t>(std::countr_zero(open));
         const std::uint32_t first = b.first + p * kPacket;
@@ -218,6 +221,13 @@ class Traversal {
 
   HWY_INLINE void take_bits(std::uint32_t first, std::uint32_t keep, std::uint32_t v) {
     objects_[v] = write_runs(first, keep, objects_[v]);
+  }
+
+  /// What the first of the planes asks; as a rule there is but one.
+  HWY_INLINE void fetch(const Packet& packet, unsigned planes, std::size_t v) const {
+    if (planes == 0) return;
+    for (const std::uint16_t column : planes_[v].slopes[static_cast<std::size_t>(std::countr_zero(planes))].signs.inner)
+      hwy::Prefetch(&packet.box[column]);
   }
 
   static HWY_INLINE void prefetch(const void* at, std::size_t bytes) {
