@@ -49,6 +49,7 @@ struct ObjectRun {
 
 inline constexpr std::uint32_t kLanes = 16;   ///< children of a node
 inline constexpr std::uint32_t kPacket = 32;  ///< objects of a packet
+inline constexpr std::uint32_t kFew = 4;      ///< packets of a block that are asked without others round them
 
 using Lanes16 = std::array<std::uint16_t, kLanes>;
 using Lanes32 = std::array<std::uint32_t, kLanes>;
@@ -85,7 +86,7 @@ struct BqrTree {
   double reach = 0;       ///< no lattice reaches farther from the origin, metres
   std::uint32_t root = 0;
   std::vector<BqrNode> nodes;               ///< as built: depth first, the root first
-  std::vector<Packet> packets;              ///< of a block with more than one: first those that enclose 32 each
+  std::vector<Packet> packets;              ///< of a block with many: first those that enclose 32 packets each
   std::vector<ClassMask> classes;           ///< a row an object, and 32 to spare; empty: all are of all classes
   std::vector<ObjectRun> block_objects;     ///< a row a block, in the tree's order
   std::vector<std::uint32_t> place;         ///< of a block: node * 16 + lane

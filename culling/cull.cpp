@@ -19,7 +19,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace manzana::culling::HWY_NAMESPACE {
 
-/// A block that crosses.
+/// A packet of a block that crosses, or all of its packets, if they are many.
 struct Doubt {
   std::uint32_t packets, first, count, planes;
   const std::uint16_t* need;
@@ -166,10 +166,18 @@ class Traversal {
   HWY_INLINE void doubt(const BqrNode& n, const NodeResult& result, std::uint32_t lanes, std::size_t v) {
     for (; lanes != 0; lanes &= lanes - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
-      const std::uint32_t count = n.last[i] - n.first[i];
-      doubts_[doubted_++] = {
-          n.child[i], n.first[i], count, result.planes[i], &result.need[0][i], 0, static_cast<std::uint32_t>(v)};
-      fetch(packets_[n.child[i]], result.planes[i], v);
+      const std::uint32_t count = n.last[i] - n.first[i], most = count <= kFew * kPacket ? kPacket : count;
+      for (std::uint32_t packet = n.child[i], done = 0; done < count; ++packet, done += most) {
+        doubts_[doubted_++] = {packet,
+                               n.first[i] + done,
+                               std::min(count - done, most),
+                               result.planes[i],
+                               &result.need[0][i],
+                               0,
+                               static_cast<std::uint32_t>(v)};
+        fetch(packets_[packet], result.planes[i], v);
+      }
+      ++stats_.blocks;
       if (options_.blocks) *blocks_[v]++ = {n.first_block[i], n.first_block[i] + 1, result.planes[i]};
     }
   }
@@ -177,7 +185,7 @@ class Traversal {
   HWY_INLINE void settle() {
     for (std::uint32_t i = 0; i < doubted_; ++i) {
       Doubt& b = doubts_[i];
-      if (b.count - 1 >= kPacket) continue;  // none, or more than one packet
+      if (b.count > kPacket) continue;
       b.keep = ask(b, b.packets) & low_bits(b.count);
       if (filtered_) b.keep &= wanted(b.first);
     }
@@ -186,12 +194,11 @@ class Traversal {
         take_bits(doubts_[i].first, doubts_[i].keep, doubts_[i].view);
       else
         settle_large(doubts_[i]);
-    stats_.blocks += doubted_;
     stats_.packets += doubted_;
     doubted_ = 0;
   }
 
-  /// More than one packet: first those that enclose packets.
+  /// Many packets: first those that enclose packets.
   HWY_NOINLINE void settle_large(const Doubt& b) {
     const std::uint32_t n = (b.count + kPacket - 1) / kPacket, enclosing = (n + kPacket - 1) / kPacket;
     for (std::uint32_t e = 0; e < enclosing; ++e) {
@@ -246,7 +253,7 @@ class Traversal {
   CullStats stats_;
   std::array<SpreadPlanes, kViews> planes_;
   std::array<NodeResult, kBatch * kViews> results_;
-  std::array<Doubt, kBatch * kViews * kLanes> doubts_;
+  std::array<Doubt, kBatch * kViews * kLanes * kFew> doubts_;
 };
 
 template <std::size_t kViews>

@@ -132,7 +132,7 @@ std::uint8_t finest_shift(const BqrNode& node) {
 }
 
 std::uint32_t packets_of(std::uint32_t objects) {
-  return filled(objects) + (objects > kPacket ? filled(filled(objects)) : 0);
+  return filled(objects) + (filled(objects) > kFew ? filled(filled(objects)) : 0);
 }
 
 void pack_objects(BqrTree& tree, std::uint32_t block, const BlockObjects& objects, std::uint32_t from,

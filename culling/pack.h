@@ -23,7 +23,7 @@ void set_volumes(BqrNode& node, std::uint32_t lane, const BoxD& box, const Spher
 /// How much finer the lattices of a node's blocks can be: that of the largest must not end before its box does.
 std::uint8_t finest_shift(const BqrNode& node);
 
-/// Packets of so many objects: one for up to 32. More: some whose boxes enclose a packet each, then those packets.
+/// Packets of so many objects, 32 each. Before more than a few come some whose boxes enclose a packet each.
 std::uint32_t packets_of(std::uint32_t objects);
 
 /// Writes the packets, the classes and the order of a block's objects; the block has its place, its run and room for

@@ -47,7 +47,7 @@ class VolumeChecks {
     const std::uint32_t lane = tree_.place[b] % kLanes;
     const auto [first, last] = tree_.block_objects[b];
     const std::uint32_t n = last - first, packets = (n + kPacket - 1) / kPacket,
-                        enclosing = n > kPacket ? (packets + kPacket - 1) / kPacket : 0;
+                        enclosing = packets > kFew ? (packets + kPacket - 1) / kPacket : 0;
     const std::size_t begin = node.child[lane];
     if (n > 0) REQUIRE(begin + packets_of(n) <= tree_.packets.size());
     const BoxD frame = lane_box(node, lane);
