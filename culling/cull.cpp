@@ -151,14 +151,20 @@ class Traversal {
 
   /// Neighbouring lanes that are inside are one run.
   HWY_INLINE void take(const BqrNode& n, std::uint32_t lanes, std::size_t v) {
-    const std::uint32_t starts = n.ordered ? lanes & ~(lanes << 1) : lanes;
-    const std::uint32_t ends = n.ordered ? lanes & ~(lanes >> 1) : lanes;
-    objects_[v] = write_runs(n, starts, ends, objects_[v]);
-    if (options_.blocks) take_blocks(n, starts, ends, v);
+    const std::uint32_t full = lanes & holding(n);  // a run without objects would need room of its own
+    objects_[v] = write_runs(n, starts_of(n, full), ends_of(n, full), objects_[v]);
+    if (options_.blocks) take_blocks(n, lanes, v);
+  }
+  static std::uint32_t starts_of(const BqrNode& n, std::uint32_t lanes) {
+    return n.ordered ? lanes & ~(lanes << 1) : lanes;
+  }
+  static std::uint32_t ends_of(const BqrNode& n, std::uint32_t lanes) {
+    return n.ordered ? lanes & ~(lanes >> 1) : lanes;
   }
 
-  HWY_NOINLINE void take_blocks(const BqrNode& n, std::uint32_t starts, std::uint32_t ends, std::size_t v) {
-    for (; starts != 0; starts &= starts - 1, ends &= ends - 1)
+  HWY_NOINLINE void take_blocks(const BqrNode& n, std::uint32_t lanes, std::size_t v) {
+    for (std::uint32_t starts = starts_of(n, lanes), ends = ends_of(n, lanes); starts != 0;
+         starts &= starts - 1, ends &= ends - 1)
       *blocks_[v]++ = {n.first_block[static_cast<std::size_t>(std::countr_zero(starts))],
                        n.last_block[static_cast<std::size_t>(std::countr_zero(ends))], 0};
   }

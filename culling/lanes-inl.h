@@ -269,7 +269,16 @@ HWY_INLINE ObjectRun* write_runs(std::uint32_t first, std::uint32_t rows, Object
 #endif
 }
 
-/// From lanes that start runs and lanes that end them; none is written that holds no object.
+/// Bit i: lane i holds objects.
+HWY_INLINE std::uint32_t holding(const BqrNode& n) {
+  const LaneTag d;
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < kLanes; i += hn::Lanes(d))
+    bits |= bits_where(d, hn::Ne(hn::Load(d, &n.first[i]), hn::Load(d, &n.last[i]))) << i;
+  return bits;
+}
+
+/// From lanes that start runs and lanes that end them.
 HWY_INLINE ObjectRun* write_runs(const BqrNode& n, std::uint32_t starts, std::uint32_t ends, ObjectRun* to) {
 #if HWY_TARGET <= HWY_AVX3
   if (n.ordered) {  // so there are 8 at most
@@ -283,11 +292,9 @@ HWY_INLINE ObjectRun* write_runs(const BqrNode& n, std::uint32_t starts, std::ui
     return to + std::popcount(starts);
   }
 #endif
-  for (; starts != 0; starts &= starts - 1, ends &= ends - 1) {
-    *to = {n.first[static_cast<std::size_t>(std::countr_zero(starts))],
-           n.last[static_cast<std::size_t>(std::countr_zero(ends))]};
-    to += to->first != to->last ? 1 : 0;
-  }
+  for (; starts != 0; starts &= starts - 1, ends &= ends - 1)
+    *to++ = {n.first[static_cast<std::size_t>(std::countr_zero(starts))],
+             n.last[static_cast<std::size_t>(std::countr_zero(ends))]};
   return to;
 }
 

@@ -145,7 +145,7 @@ TEST_CASE("cameras of all sorts: objects, blocks and runs are as they must be") 
       on_each_target([&](const char*) {
         cull(s.tree, planes_of(s, view), answer, {.blocks = true});
         const auto seen = seen_objects(s, answer);
-        for (std::size_t k = 0; k < seen.size(); ++k) REQUIRE((seen[k] || !exact[k]));
+        REQUIRE(std::equal(exact.begin(), exact.end(), seen.begin(), std::less_equal<>()));
         out = std::max(out, farthest_out(s, view, seen));
         check_blocks(s, view, answer, seen);
         cull(s.tree, planes_of(s, view), plain);
@@ -184,6 +184,34 @@ TEST_CASE("everything seen: one run, one node, nothing seen: none, no tree: noth
   const BqrTree nothing;
   CHECK(cull(nothing, make_planes(nothing, make_frustum(away)), answer).nodes == 0);
   CHECK(answer.objects().empty());
+}
+
+TEST_CASE("blocks without objects give no runs of objects") {
+  const City full = baselines::make_city(10'000, 1);
+  for (const bool every : {true, false}) {
+    City city = full;
+    city.first = {0};
+    city.boxes.clear();
+    for (std::size_t b = 0; b < full.blocks.size(); ++b) {
+      for (std::uint32_t i = full.first[b]; i < full.first[b + 1] && !every && b % 2 == 0; ++i)
+        city.boxes.push_back(full.boxes[i]);
+      city.first.push_back(city.objects());
+    }
+    const Scene s = make_scene(std::move(city));
+    Answer answer(s.tree);
+    std::uint64_t blocks = 0;
+    on_each_target([&](const char*) {
+      for (int i = 0; i < kFrames; ++i) {
+        const View view = frame(full, i);
+        cull(s.tree, planes_of(s, view), answer, {.blocks = true});
+        REQUIRE(answer.objects().size() <= s.boxes.size());
+        const auto seen = seen_objects(s, answer), exact = exactly_visible(view, s.boxes);
+        REQUIRE(std::equal(exact.begin(), exact.end(), seen.begin(), std::less_equal<>()));
+        blocks += count(flags(answer.blocks(), s.tree.blocks()));
+      }
+    });
+    CHECK(blocks > 10'000);
+  }
 }
 
 TEST_CASE("a frustum without planes, or with a NaN, takes everything") {
