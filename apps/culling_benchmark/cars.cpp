@@ -1,11 +1,11 @@
 #include "apps/culling_benchmark/cars.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <random>
 
+#include "apps/culling_benchmark/clock.h"
 #include "apps/culling_benchmark/paper_streets.h"
 #include "culling/baselines/cases.h"
 
@@ -18,10 +18,6 @@ using baselines::ObjectKind;
 constexpr double kFovy = std::numbers::pi / 3, kAspect = 16.0 / 9.0;
 constexpr double kFocalPx = 1000;
 constexpr std::uint64_t kFirstTick = 60 * static_cast<std::uint64_t>(kTicksPerSecond), kTicksAFrame = 50;
-
-double us_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// What stands there. Parked cars are left out: those that drive take their place.
 SceneObjects objects_of(const City& city) {
@@ -96,7 +92,7 @@ CarsBuffers::CarsBuffers(const Scene& scene)
 
 CarsFrame cars_frame(const Scene& scene, const culling::View& view, std::uint64_t tick, CarsBuffers& buffers) {
   CarsFrame frame;
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   find_visible(scene, view, Structure::bqr, buffers.sets);
   frame.query_us = us_since(start);
   frame.work = find_cars(scene, tick, buffers.sets);

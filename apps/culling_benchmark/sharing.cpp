@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "apps/common/whole_file.h"
+#include "apps/culling_benchmark/clock.h"
 #include "apps/culling_benchmark/csv.h"
 #include "apps/culling_benchmark/markdown.h"
 #include "apps/culling_benchmark/statistics.h"
@@ -78,11 +79,11 @@ class Pair {
 
  private:
   double time(bool all) {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     const culling::CullStats stats = all ? cull_parallel(tree_, planes_, crew_, answer_, asked_.options)
                                          : cull(tree_, planes_, answer_, asked_.options);
     nodes_ = stats.nodes;
-    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+    return us_since(start);
   }
 
   const culling::BqrTree& tree_;

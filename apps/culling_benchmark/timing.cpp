@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <numeric>
 #include <thread>
 
+#include "apps/culling_benchmark/clock.h"
 #include "apps/culling_benchmark/statistics.h"
 #include "culling/hash.h"
 
@@ -14,11 +14,6 @@ namespace {
 
 using baselines::Answer;
 using baselines::Peer;
-using Clock = std::chrono::steady_clock;
-
-double us_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-}
 
 /// More than any cache of today's processors holds for one core; read and written, so that all else is driven out.
 class Stream {

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <chrono>
 #include <fstream>
 #include <optional>
 #include <span>
 
 #include "apps/common/whole_file.h"
+#include "apps/culling_benchmark/clock.h"
 #include "apps/culling_benchmark/machine.h"
 #include "culling/baselines/exact.h"
 #include "culling/hash.h"
@@ -112,14 +112,13 @@ Truth find_truth(const Workload& work) {
 }
 
 std::vector<Counts> check(Peer& peer, const Workload& work, const Truth& truth) {
-  using Clock = std::chrono::steady_clock;
   std::vector<Counts> frames;
   Answer answer;
   std::vector<std::uint64_t> left;
   for (std::size_t frame = 0; frame < work.frusta.size(); ++frame) {
     const auto start = Clock::now();
     peer.query(work.frusta[frame], answer);
-    const double us = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+    const double us = us_since(start);
     left = truth.bits[frame];
     frames.push_back(compare(answer, peer, *work.city, left));
     frames.back().exact = truth.seen[frame];

@@ -1,4 +1,4 @@
-# Sourced by walkthrough.sh and test.sh: installs what packages.txt names and this machine lacks, configures, builds.
+# Sourced by the scripts of the README: installs what packages.txt names and this machine lacks, configures, builds.
 say() { printf '\033[1m== %s\033[0m\n' "$*" >&2; }
 
 install_packages() {
@@ -22,4 +22,13 @@ build() {
   [ -f "build/$preset/build.ninja" ] || { say "configuring ($preset)"; cmake --preset "$preset" >&2; }
   say "building ($preset)"
   cmake --build --preset "$preset" ${*:+--target "$@"} >&2
+}
+
+# start_program PROGRAM FOLDER [ARGUMENT...]: in that folder, so that arguments may name files relative to it
+start_program() {
+  local program=$1 from=$2 root; root=$(pwd); shift 2
+  install_packages
+  build release "$program"
+  cd "$from"
+  exec "$root/build/release/bin/$program" "$@"
 }
