@@ -4,6 +4,7 @@
 #include <array>
 
 #include "foliage/plant.h"
+#include "foliage/plant_model.h"
 
 namespace manzana::foliage {
 

@@ -2,7 +2,7 @@
 /// The pictures that a generated plant wears, drawn by code: a twig with many leaves, and bark.
 #include <string>
 
-#include "foliage/plant.h"
+#include "foliage/plant_model.h"
 
 namespace manzana::foliage {
 

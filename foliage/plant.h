@@ -1,58 +1,58 @@
 #pragma once
-/// A plant ready to be drawn: bark and leaves, kept apart, in levels of detail.
-///   PlantModel oak = generate_plant(species, seed);       // foliage/generate.h
-///   PlantModel pine = import_plant("pine.glb");           // foliage/import/gltf_plant.h
-/// THE SEAM: what draws a tree knows PlantModel::levels and select_level() only. A new representation is a new kind of
-/// level here, and one file in foliage/gl that draws it.
+/// A plant as its sources have it: branches and terminal nodes (leaves, flowers, fruit), never mixed. [Gadbem 2011,
+/// section 3.3.1]
+///   Plant oak = grow_plant(species, seed);      // foliage/generate.h
+///   Plant pine = import_plant("pine.glb");      // foliage/import: glTF, OBJ, L-systems
+///   PreparedPlant ready = prepare(oak);         // foliage/prepare.h
+/// Flat: a branch is a row, after its parent; its triangles and its centre line are runs.
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "culling/vec.h"
+#include "foliage/plant_mesh.h"
 
 namespace manzana::foliage {
 
-/// 24 bytes. Position in the plant's own frame, scaled so that the foot is the origin, z is up, the top is at z = 1 and
-/// the farthest vertex from the axis is at distance 1; so an instance of height h and crown radius r is scaled by (r,
-/// r, h).
-struct PlantVertex {
-  Vec3 position;
-  std::uint32_t normal;  ///< signed normalised 10-10-10-2, of the unscaled plant
-  std::uint16_t u, v;    ///< unsigned normalised, times kUvRange
-  std::uint8_t shade;    ///< 255 outside in the light, less deep in the crown: ambient light that arrives
-  std::uint8_t leaf;     ///< 0 bark, 1 leaf
-  std::uint16_t unused = 0;
-};
-static_assert(sizeof(PlantVertex) == 24);
-inline constexpr float kUvRange = 8;  // bark repeats up to eight times
-
-/// The bark's triangles come first: indices [0, bark_indices) bark, the rest leaves.
-struct PlantLevel {
-  std::vector<PlantVertex> vertices;
-  std::vector<std::uint32_t> indices;
-  std::uint32_t bark_indices = 0;
-  float min_radius_px = 0;  ///< drawn while the crown's ball has at least this radius on the screen
+/// Half-open.
+struct Run {
+  std::uint32_t first = 0, last = 0;
+  std::uint32_t size() const { return last - first; }
+  bool operator==(const Run&) const = default;
 };
 
-/// RGBA, 8 bits, sRGB colour with straight alpha, rows from the top; square, side a power of two. Transparent texels
-/// carry the colour of the leaf nearest to them, so that filtering shows no fringe.
-struct Image {
-  int size = 0;
-  std::vector<std::uint8_t> rgba;
+struct CentrePoint {
+  Vec3 position;  ///< metres
+  float radius;
 };
 
-struct PlantModel {
+struct Branch {
+  std::int32_t parent = -1;  ///< a row before this one; -1: it grows out of the ground
+  std::uint16_t level = 0;   ///< 0 trunk
+  Run line;                  ///< of Plant::centre_lines, from foot to tip, at least two points
+  Run triangles;             ///< of Plant::mesh.bark; may be empty
+};
+
+enum class Organ : std::uint8_t { leaf, flower, fruit };
+
+/// What a branch ends in: a leaf card, a modelled leaf of many triangles, a petal.
+struct Terminal {
+  Run triangles;             ///< of Plant::mesh.leaves; at least one
+  std::int32_t branch = -1;  ///< that carries it; -1: not known
+  Organ organ = Organ::leaf;
+};
+
+/// Metres, z up, the foot at the origin. The runs of branches, and those of terminals, are in order, apart, and cover
+/// all triangles of their part.
+struct Plant {
   std::string name;
-  float height_m = 10, crown_radius_m = 3;  ///< its size by nature
-  Image leaf, bark;                         ///< 256 x 256 each
-  std::vector<PlantLevel> levels;           ///< finest first; min_radius_px falls to 0 at the last
+  PlantMesh mesh;
+  std::vector<Branch> branches;
+  std::vector<CentrePoint> centre_lines;
+  std::vector<Terminal> terminals;
+  Image leaf, bark;
 };
 
-/// The level for a crown of that radius on the screen, in pixels.
-inline std::size_t select_level(const PlantModel& model, double radius_px) {
-  std::size_t level = 0;
-  while (level + 1 < model.levels.size() && radius_px < static_cast<double>(model.levels[level].min_radius_px)) ++level;
-  return level;
-}
+/// Throws std::invalid_argument, naming the row, for what breaks the rules above or is not finite. Linear.
+void check(const Plant& plant);
 
 }  // namespace manzana::foliage

@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "foliage/plant.h"
+#include "foliage/plant_model.h"
 
 namespace manzana::foliage {
 

@@ -4,7 +4,7 @@
 
 #include "apps/walkthrough/camera_path.h"
 #include "apps/walkthrough/options.h"
-#include "foliage/plant.h"
+#include "foliage/plant_model.h"
 #include "scenegraph/import/import.h"
 
 namespace manzana::walkthrough {

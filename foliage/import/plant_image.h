@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "foliage/plant.h"
+#include "foliage/plant_model.h"
 
 namespace manzana::foliage {
 

@@ -4,7 +4,7 @@
 /// [Castano 2010, "Computing Alpha Mipmaps"]
 #include <vector>
 
-#include "foliage/plant.h"
+#include "foliage/plant_model.h"
 
 namespace manzana::draw {
 

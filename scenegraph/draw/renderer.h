@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "culling/frustum.h"
-#include "foliage/plant.h"
+#include "foliage/plant_model.h"
 #include "scenegraph/scene.h"
 #include "scenegraph/visible.h"
 

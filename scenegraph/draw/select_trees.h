@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "foliage/plant.h"
+#include "foliage/plant_model.h"
 #include "scenegraph/draw/instances.h"
 #include "scenegraph/scene.h"
 

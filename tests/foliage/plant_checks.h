@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "foliage/plant.h"
+#include "foliage/plant_model.h"
 
 namespace manzana::foliage {
 

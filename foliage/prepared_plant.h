@@ -1,0 +1,101 @@
+#pragma once
+/// A plant prepared for drawing at every distance; made by prepare() (foliage/prepare.h), kept on disk by
+/// foliage/import/plant_cache.h, chosen from by foliage/select.h, drawn by foliage/gl.
+///   near: a level of bark quads, leaf quads of each cell, and ribbons for the branches that the level left out;
+///   far:  fewer leaf quads of each cell, scaled up; then points instead of quads; fewer ribbons.
+/// Every list is in an order of which a prefix is a fair sample: fewer is always "the first so many".
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "foliage/plant.h"
+
+namespace manzana::foliage {
+
+/// Everything here is in metres, z up, the foot at the origin, and of the plant's natural size.
+/// 96 bytes, as std430 has it. A triangle is a quad whose corners 2 and 3 are one. Triangles 0-1-2, 0-2-3.
+struct PlantQuad {
+  struct Corner {
+    Vec3 position;
+    std::uint16_t u, v;  ///< unsigned normalised, times kUvRange
+  };
+  std::array<Corner, 4> corners;
+  std::array<std::uint32_t, 4> normals;  ///< pack_normal; two upper bits: the branch's level, at most 3, for the wind
+  Vec3 anchor;                           ///< leaves: the petiole, about which it is scaled
+  std::array<std::uint8_t, 4> shades;    ///< of the corners: ambient light that arrives
+};
+static_assert(sizeof(PlantQuad) == 96);
+
+/// 32 bytes. Stands for leaf triangles, one or many. [Deussen 2005, section 10; Gadbem 2011, section 3.5]
+struct LeafPoint {
+  Vec3 position;
+  float area;            ///< m2 that it hides, seen from anywhere: half the triangles' area, times their alpha
+  std::uint32_t normal;  ///< pack_normal, with the branch's level
+  std::uint32_t colour;  ///< sRGB, r lowest: mean of the texels in linear light, weighted by alpha
+  float shade;           ///< in [0, 1]
+  std::uint32_t unused = 0;
+};
+static_assert(sizeof(LeafPoint) == 32);
+
+/// 48 bytes. A piece of a branch, drawn as a ribbon that turns to the eye.
+struct LineSegment {
+  Vec3 a;
+  float radius_a;
+  Vec3 b;
+  float radius_b;
+  float shade;
+  std::uint32_t level;   ///< of its branch
+  std::uint32_t branch;  ///< its row in Plant::branches
+  std::uint32_t unused = 0;
+};
+static_assert(sizeof(LineSegment) == 48);
+
+/// One mesh of branches, and which lines complete it.  [Gadbem 2011, section 3.4: each level is a pair (mesh, lines)]
+struct BranchLevel {
+  Run quads;                     ///< of PreparedPlant::bark
+  std::uint32_t branches = 0;    ///< the first so many by importance are in the mesh
+  std::uint32_t first_line = 0;  ///< lines [first_line, end) stand for all the others
+  float error_m = 0;             ///< width of the thickest branch that is a line here; 0 at the finest
+};
+
+/// [Gumbau 2009] Leaves near each other, in an oriented box. Closed; holds every corner of its quads.
+struct LeafCell {
+  Vec3 centre;
+  Mat3 axes;  ///< columns, orthonormal, det +1
+  Vec3 half;  ///< extents along them
+  Run quads;  ///< of PreparedPlant::leaves; leaves in random order, quads of a leaf together
+};
+
+/// Points merged four to one, again and again. level 0: two a triangle.
+struct PointLevel {
+  Run points;  ///< of PreparedPlant::points, in an order of which every prefix is spread over the crown
+  float area;  ///< m2: the sum of its points'
+};
+
+/// Directions are those of an octahedral grid over the whole sphere: foliage/octahedral.h.
+struct Visibility {
+  std::uint32_t side = 0;           ///< vertices along each side of the grid; 0: not baked, all is visible
+  std::vector<std::uint8_t> share;  ///< cell c, direction d: share[c * side * side + d] / 255
+};
+
+struct PreparedPlant {
+  std::string name;
+  float height_m = 10, crown_radius_m = 3;  ///< by nature
+  Image leaf, bark;
+
+  std::vector<PlantQuad> bark;
+  std::vector<BranchLevel> branch_levels;  ///< finest first
+  std::vector<LineSegment> lines;          ///< most important branch first
+
+  std::vector<PlantQuad> leaves;
+  std::vector<LeafCell> cells;
+  std::vector<std::uint32_t> shuffled;  ///< all leaves' quads in one random order: for ways that know no cells
+  std::vector<LeafPoint> points;
+  std::vector<PointLevel> point_levels;  ///< finest first; level 0: points 4 i to 4 i + 3 are of quad shuffled[i]
+  float leaf_area_m2 = 0;                ///< of all leaf quads, one side, times alpha
+  std::array<float, 17> leaf_scale{};    ///< linear size at u = 2^(-i/2) of the leaves, fitted to coverage
+  Visibility visibility;
+};
+
+}  // namespace manzana::foliage
