@@ -49,7 +49,7 @@ struct Plant {
   std::vector<Branch> branches;
   std::vector<CentrePoint> centre_lines;
   std::vector<Terminal> terminals;
-  Image leaf, bark;
+  Image leaf_image, bark_image;
 };
 
 /// Throws std::invalid_argument, naming the row, for what breaks the rules above or is not finite. Linear.

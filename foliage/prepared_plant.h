@@ -82,7 +82,7 @@ struct Visibility {
 struct PreparedPlant {
   std::string name;
   float height_m = 10, crown_radius_m = 3;  ///< by nature
-  Image leaf, bark;
+  Image leaf_image, bark_image;
 
   std::vector<PlantQuad> bark;
   std::vector<BranchLevel> branch_levels;  ///< finest first
