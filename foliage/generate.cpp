@@ -9,43 +9,22 @@
 #include "foliage/plant_mesh.h"
 #include "foliage/random.h"
 #include "foliage/stems.h"
+#include "foliage/tube.h"
 
 namespace manzana::foliage {
 namespace {
 
 constexpr float kPi = 3.14159265F;
 constexpr float kRootDepth = 0.03F;       // of the height: the trunk goes into the ground, for slopes
-constexpr float kBarkTile = 1.2F;         // metres of a stem that one bark image covers
 constexpr float kFineRadiusPx = 45;       // below it a leaf of the fine level is under a pixel
 constexpr std::size_t kCoarseCards = 40;  // 80 triangles
 
-MeshVertex ring_vertex(const StemPoint& at, int side, int sides, const Vec2& uv) {
-  const float angle = 2 * kPi * static_cast<float>(side) / static_cast<float>(sides);
-  const Vec3 out = at.frame[0] * std::cos(angle) + at.frame[1] * std::sin(angle);
-  return {at.position + out * at.radius, out, uv};
+template <class T>
+std::uint32_t size_of(const std::vector<T>& rows) {
+  return static_cast<std::uint32_t>(rows.size());
 }
 
-/// A tube that ends in a point. The seam's vertices are double, for the bark's sake.
-void add_tube(MeshPart& bark, const std::vector<StemPoint>& points, float length, int sides, float bark_repeats) {
-  const auto first = static_cast<std::uint32_t>(bark.vertices.size());
-  const auto row = static_cast<std::uint32_t>(sides + 1);
-  const auto rings = static_cast<std::uint32_t>(points.size() - 1);
-  const float v_end = std::min(length / kBarkTile, kUvRange);
-  const auto v_at = [&](std::uint32_t ring) { return v_end * static_cast<float>(ring) / static_cast<float>(rings); };
-  for (std::uint32_t r = 0; r < rings; ++r)
-    for (int s = 0; s <= sides; ++s)
-      bark.vertices.push_back(ring_vertex(points[r], s, sides,
-                                          {bark_repeats * static_cast<float>(s) / static_cast<float>(sides), v_at(r)}));
-  const StemPoint& tip = points.back();
-  bark.vertices.push_back({tip.position, tip.frame[2], {0.5F * bark_repeats, v_end}});
-  for (std::uint32_t r = 0; r < rings; ++r) {
-    for (std::uint32_t s = 0; s + 1 < row; ++s) {
-      const std::uint32_t a = first + r * row + s, b = a + 1, up = r + 1 == rings ? first + rings * row : a + row;
-      bark.indices.insert(bark.indices.end(), {a, b, up});
-      if (r + 1 < rings) bark.indices.insert(bark.indices.end(), {b, b + row, up});
-    }
-  }
-}
+std::uint32_t triangles_of(const MeshPart& part) { return static_cast<std::uint32_t>(part.triangles()); }
 
 /// Into the ground; and one more ring, since the flare falls off within the first segment.
 void add_foot(std::vector<StemPoint>& points, float depth) {
@@ -57,15 +36,18 @@ void add_foot(std::vector<StemPoint>& points, float depth) {
   points.insert(points.begin() + 1, ring);
 }
 
-MeshPart bark_of(const Skeleton& skeleton) {
-  MeshPart bark;
-  for (const Stem& stem : skeleton.stems) {
-    std::vector<StemPoint> points = stem.points;
-    const bool clone = stem.level == 0 && stem.points.front().position.z > 0;
-    if (stem.level == 0 && !clone) add_foot(points, kRootDepth * stem.length);
-    add_tube(bark, points, stem.length, stem_sides(stem.level), stem.level == 0 ? 2 : 1);
-  }
-  return bark;
+void add_branch(Plant& plant, const Stem& stem) {
+  std::vector<StemPoint> points = stem.points;
+  if (stem.parent < 0) add_foot(points, kRootDepth * stem.length);
+  Branch branch{stem.parent, static_cast<std::uint16_t>(stem.level), {}, {}};
+  branch.line.first = size_of(plant.centre_lines);
+  for (const StemPoint& p : points) plant.centre_lines.push_back({p.position, p.radius});
+  plant.centre_lines.back().radius = 0;  // the tube ends in a point
+  branch.line.last = size_of(plant.centre_lines);
+  branch.triangles.first = triangles_of(plant.mesh.bark);
+  add_tube(plant.mesh.bark, points, stem.length, stem_sides(stem.level), stem.level == 0 ? 2 : 1);
+  branch.triangles.last = triangles_of(plant.mesh.bark);
+  plant.branches.push_back(branch);
 }
 
 /// Every third point of the trunk, three sides.
@@ -107,38 +89,47 @@ std::array<MeshVertex, 4> leaf_card(const LeafSite& site, const Vec3& middle, co
           MeshVertex{site.foot - half + up, normal, {left, 0}}};
 }
 
-MeshPart leaves_of(const Skeleton& skeleton, const SpeciesParams& species, std::uint64_t seed) {
+void add_leaves(Plant& plant, const Skeleton& skeleton, const SpeciesParams& species, std::uint64_t seed) {
   Vec3 middle(0);
   for (const LeafSite& site : skeleton.leaves) middle += site.foot / static_cast<float>(skeleton.leaves.size());
-  MeshPart leaves;
   for (std::size_t i = 0; i < skeleton.leaves.size(); ++i) {
     Random random(hash(seed, i));
-    add_quad(leaves, leaf_card(skeleton.leaves[i], middle, species, random));
+    const std::uint32_t first = triangles_of(plant.mesh.leaves);
+    add_quad(plant.mesh.leaves, leaf_card(skeleton.leaves[i], middle, species, random));
+    plant.terminals.push_back({{first, triangles_of(plant.mesh.leaves)}, skeleton.leaves[i].stem, Organ::leaf});
   }
-  return leaves;
+}
+
+Plant plant_of(const Skeleton& skeleton, const SpeciesParams& species, std::uint64_t seed) {
+  Plant plant;
+  plant.name = species.name;
+  for (const Stem& stem : skeleton.stems) add_branch(plant, stem);
+  add_leaves(plant, skeleton, species, hash(seed, 2));
+  plant.leaf_image = leaf_image(species.leaf_shape, species.leaf_rgb, hash(seed, 3));
+  plant.bark_image = bark_image(species.bark_rgb, hash(seed, 4));
+  const PlantSize size = measure(plant.mesh);
+  if (!(size.height > 0 && size.radius > 0))
+    throw std::invalid_argument("species " + species.name + ": the plant has no size");
+  CrownLight(plant.mesh.leaves).apply(plant.mesh);
+  return plant;
 }
 
 }  // namespace
 
+Plant grow_plant(const SpeciesParams& species, std::uint64_t seed) {
+  return plant_of(grow(species, seed), species, seed);
+}
+
 PlantModel generate_plant(const SpeciesParams& species, std::uint64_t seed) {
   const Skeleton skeleton = grow(species, seed);
-  PlantMesh fine{bark_of(skeleton), leaves_of(skeleton, species, hash(seed, 2))};
-  const CrownLight light(fine.leaves);
-  light.apply(fine);
-  PlantModel model;
-  model.name = species.name;
-  const PlantSize size = measure(fine);
-  if (!(size.height > 0 && size.radius > 0))
-    throw std::invalid_argument("species " + species.name + ": the plant has no size");
-  model.height_m = size.height;
-  model.crown_radius_m = size.radius;
-  model.leaf = leaf_image(species.leaf_shape, species.leaf_rgb, hash(seed, 3));
-  model.bark = bark_image(species.bark_rgb, hash(seed, 4));
+  Plant plant = plant_of(skeleton, species, seed);
+  const PlantSize size = measure(plant.mesh);
   PlantMesh coarse{coarse_bark_of(skeleton), {}};
-  coarse.leaves = few_cards(fine, coarse.bark, {model.leaf, size}, kCoarseCards);
-  light.apply(coarse);
-  take_light(coarse.leaves, fine.leaves);
-  model.levels = {finish_level(fine, size, kFineRadiusPx), finish_level(coarse, size, 0)};
+  coarse.leaves = few_cards(plant.mesh, coarse.bark, {plant.leaf_image, size}, kCoarseCards);
+  CrownLight(plant.mesh.leaves).apply(coarse);
+  take_light(coarse.leaves, plant.mesh.leaves);
+  PlantModel model{plant.name, size.height, size.radius, std::move(plant.leaf_image), std::move(plant.bark_image), {}};
+  model.levels = {finish_level(plant.mesh, size, kFineRadiusPx), finish_level(coarse, size, 0)};
   return model;
 }
 

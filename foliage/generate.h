@@ -35,6 +35,10 @@ struct SpeciesParams {
   std::uint32_t leaf_rgb = 0x4f7a35, bark_rgb = 0x6b5a48;
 };
 
+/// A branch for each stem, a terminal for each leaf card; shaded, and normals bent outward. Otherwise as
+/// generate_plant().
+Plant grow_plant(const SpeciesParams& species, std::uint64_t seed);
+
 /// Two levels, a few thousand triangles and under a hundred; the same for a seed on every machine (counter hash).
 /// Throws std::invalid_argument for parameters that are not finite or out of range (negative curve_v, the paper's
 /// helix, among them), or would make more than 1 000 000 vertices. Cost: about 0.1 s, most of it the two images.

@@ -33,7 +33,7 @@ float declination(const Mat3& frame) {  // degrees from the zenith
 
 /// What a stem starts from; a clone (after a split) starts at a later segment of the same stem.
 struct Bud {
-  int level = 0, first_segment = 0;
+  int parent = -1, level = 0, first_segment = 0;
   Mat3 frame{1};
   Vec3 position{0};
   float length = 0, radius = 0;
@@ -100,9 +100,11 @@ class Grower {
                                   " vertices");
   }
 
-  static LeafSite terminal(const Stem& stem, float scale) {
-    return {stem.points.back().position, stem.points.back().frame[2], scale};
+  LeafSite terminal(const Stem& stem, float scale) const {
+    return {stem.points.back().position, stem.points.back().frame[2], scale, row()};
   }
+
+  int row() const { return static_cast<int>(out_.stems.size()); }  // of the stem that grows
 
   float card_scale(const Stem& stem) const {
     constexpr float kLeast = 0.45F;
@@ -119,7 +121,7 @@ class Grower {
   /// The stem's segments one after the other; splits push clones.
   Stem follow(const Bud& bud, Random& random, std::vector<Bud>& todo) {
     const StemParams& p = params(bud.level);
-    Stem stem{bud.level, bud.length, {}};
+    Stem stem{bud.parent, bud.level, bud.length, {}};
     Bud at = bud;
     float split_error = 0;
     for (int s = bud.first_segment; s <= p.curve_res; ++s) {
@@ -161,6 +163,7 @@ class Grower {
     const Bud before = bud;
     for (int c = 0; c < clones; ++c) {
       Bud clone = divergent(before, left, random);
+      clone.parent = row();
       clone.first_segment = segment;
       clone.seed = random.bits();
       todo.push_back(clone);
@@ -244,6 +247,7 @@ class Grower {
       const float offset = base + along * (bud.length - base);
       if (offset < start) continue;
       Bud child;
+      child.parent = row();
       child.level = bud.level + 1;
       child.length_max = std::max(p.length + random.spread(p.length_v), 0.0F);
       child.length = child_length(bud, offset, child.length_max);
@@ -274,7 +278,8 @@ class Grower {
       if (offset < start) continue;
       const StemPoint at = point_at(bud, stem, offset);
       const float down = p.down_angle + random.spread(std::abs(p.down_angle_v));
-      out_.leaves.push_back({at.position, child_frame(at.frame, p, around(p, i, phase), down, random)[2], scale});
+      const Vec3 axis = child_frame(at.frame, p, around(p, i, phase), down, random)[2];
+      out_.leaves.push_back({at.position, axis, scale, row()});
     }
     if (count > 0) out_.leaves.push_back(terminal(stem, scale));
   }

@@ -15,6 +15,7 @@ struct StemPoint {
 };
 
 struct Stem {
+  int parent = -1;  ///< its index in Skeleton::stems; of a clone: the stem that split
   int level = 0;
   float length = 0;
   std::vector<StemPoint> points;  ///< at least two
@@ -24,6 +25,7 @@ struct Stem {
 struct LeafSite {
   Vec3 foot, axis;
   float scale = 1;
+  int stem = -1;  ///< its index in Skeleton::stems
 };
 
 struct Skeleton {

@@ -48,6 +48,51 @@ TEST_CASE("generated plants keep what plant.h promises, for all species and seve
   }
 }
 
+TEST_CASE("grown plants have branches after their parents and runs in order that cover all triangles") {
+  for (const char* species : kSpecies) {
+    for (const std::uint64_t seed : {1, 2, 77}) {
+      INFO(species << " seed " << seed);
+      const Plant plant = grow_plant(builtin_species(species), seed);
+      check_runs(plant);
+      bool carried = true;
+      for (const Terminal& t : plant.terminals) carried = carried && t.branch >= 0;
+      CHECK(carried);
+      CHECK(plant.branches.front().parent == -1);
+      CHECK(std::count_if(plant.branches.begin(), plant.branches.end(), [](auto& b) { return b.parent < 0; }) == 1);
+    }
+  }
+}
+
+TEST_CASE("a stem starts on its parent, and a leaf on its branch") {
+  for (const char* species : kSpecies) {
+    const Plant plant = grow_plant(builtin_species(species), 6);
+    const auto lies_on = [&](const Vec3& p, const Branch& b) {
+      float best = 1e9F;
+      for (std::uint32_t i = b.line.first; i + 1 < b.line.last; ++i) {
+        const Vec3 foot = plant.centre_lines[i].position, along = plant.centre_lines[i + 1].position - foot;
+        const float t = std::clamp(glm::dot(p - foot, along) / glm::dot(along, along), 0.0F, 1.0F);
+        best = std::min(best, glm::length(p - foot - along * t));
+      }
+      return best < 1e-3F;
+    };
+    bool stems_on = true, leaves_on = true;
+    for (const Branch& b : plant.branches)
+      if (b.parent >= 0)
+        stems_on = stems_on && lies_on(plant.centre_lines[b.line.first].position,
+                                       plant.branches[static_cast<std::size_t>(b.parent)]);
+    for (const Terminal& t : plant.terminals) {
+      const auto corner = [&](int i) {
+        return plant.mesh.leaves.vertices[plant.mesh.leaves.indices[3 * t.triangles.first + static_cast<unsigned>(i)]];
+      };
+      const Vec3 foot = (corner(0).position + corner(1).position) * 0.5F;
+      leaves_on = leaves_on && lies_on(foot, plant.branches[static_cast<std::size_t>(t.branch)]);
+    }
+    INFO(species);
+    CHECK(stems_on);
+    CHECK(leaves_on);
+  }
+}
+
 TEST_CASE("the coarse level covers what the fine one covers, within 15 per cent, from sides that were not fitted") {
   for (const char* species : kSpecies) {
     for (const std::uint64_t seed : {1, 5}) {

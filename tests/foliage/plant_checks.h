@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "foliage/plant_model.h"
+#include "foliage/plant.h"
 
 namespace manzana::foliage {
 
@@ -59,6 +59,40 @@ inline void check_plant(const PlantModel& model) {
     CHECK(image->size == 256);
     CHECK(image->rgba.size() == 256 * 256 * 4);
   }
+}
+
+/// What foliage/plant.h promises of rows and runs.
+inline void check_runs(const Plant& plant) {
+  bool parents = true, lines = true, bark = true, leaves = true, finite = true;
+  std::uint32_t line = 0, triangle = 0;
+  for (std::size_t i = 0; i < plant.branches.size(); ++i) {
+    const Branch& b = plant.branches[i];
+    parents = parents && b.parent >= -1 && b.parent < static_cast<std::int32_t>(i);
+    lines = lines && b.line.first == line && b.line.last >= line + 2;
+    bark = bark && b.triangles.first == triangle && b.triangles.last >= triangle;
+    line = b.line.last;
+    triangle = b.triangles.last;
+  }
+  CHECK(parents);
+  CHECK((lines && line == plant.centre_lines.size()));
+  CHECK((bark && triangle == plant.mesh.bark.triangles()));
+  triangle = 0;
+  for (const Terminal& t : plant.terminals) {
+    leaves = leaves && t.triangles.first == triangle && t.triangles.last > triangle && t.branch >= -1 &&
+             t.branch < static_cast<std::int32_t>(plant.branches.size());
+    triangle = t.triangles.last;
+  }
+  CHECK((leaves && triangle == plant.mesh.leaves.triangles()));
+  for (const CentrePoint& c : plant.centre_lines)
+    finite = finite && std::isfinite(glm::dot(c.position, c.position)) && c.radius >= 0 && c.radius < 1e6F;
+  for (const MeshPart* part : {&plant.mesh.bark, &plant.mesh.leaves}) {
+    for (const std::uint32_t i : part->indices) finite = finite && i < part->vertices.size();
+    for (const MeshVertex& v : part->vertices)
+      finite = finite && std::isfinite(glm::dot(v.position, v.position)) &&
+               std::abs(glm::length(v.normal) - 1) < 1e-3F && v.uv.x >= 0 && v.uv.x <= kUvRange && v.uv.y >= 0 &&
+               v.uv.y <= kUvRange && v.shade >= 0 && v.shade <= 1;
+  }
+  CHECK(finite);
 }
 
 inline std::uint64_t fnv(const void* data, std::size_t size, std::uint64_t h = 14695981039346656037ULL) {
