@@ -28,7 +28,7 @@ struct CentrePoint {
 struct Branch {
   std::int32_t parent = -1;  ///< a row before this one; -1: it grows out of the ground
   std::uint16_t level = 0;   ///< 0 trunk
-  Run line;                  ///< of Plant::centre_lines, from foot to tip, at least two points
+  Run line;                  ///< of Plant::centre_lines, from foot to tip, at least two points; empty: not known
   Run triangles;             ///< of Plant::mesh.bark; may be empty
 };
 
@@ -52,7 +52,8 @@ struct Plant {
   Image leaf_image, bark_image;
 };
 
-/// Throws std::invalid_argument, naming the row, for what breaks the rules above or is not finite. Linear.
+/// Throws std::invalid_argument, naming the row, for what breaks the rules above, is not finite, or lies more than
+/// 1000 km away. Linear.
 void check(const Plant& plant);
 
 }  // namespace manzana::foliage

@@ -10,10 +10,6 @@ constexpr float kHuge = 3e38F;
 
 float from_axis(const Vec3& p) { return std::sqrt(p.x * p.x + p.y * p.y); }
 
-std::uint16_t pack_uv(float v) {
-  return static_cast<std::uint16_t>(std::lround(std::clamp(v / kUvRange, 0.0F, 1.0F) * 65535));
-}
-
 /// Onto the unit cylinder's side and lid.
 Vec3 kept_inside(Vec3 p) {
   const float r = from_axis(p);
@@ -32,7 +28,7 @@ PlantVertex packed(const MeshVertex& v, const PlantSize& size, bool leaf) {
   out.normal = pack_normal(v.normal);
   out.u = pack_uv(v.uv.x);
   out.v = pack_uv(v.uv.y);
-  out.shade = static_cast<std::uint8_t>(std::lround(std::clamp(v.shade, 0.0F, 1.0F) * 255));
+  out.shade = pack_shade(v.shade);
   out.leaf = leaf ? 1 : 0;
   return out;
 }
@@ -149,5 +145,11 @@ std::uint32_t pack_normal(const Vec3& normal) {
   };
   return bits(normal.x) | (bits(normal.y) << 10) | (bits(normal.z) << 20);
 }
+
+std::uint16_t pack_uv(float v) {
+  return static_cast<std::uint16_t>(std::lround(std::clamp(v / kUvRange, 0.0F, 1.0F) * 65535));
+}
+
+std::uint8_t pack_shade(float v) { return static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0F, 1.0F) * 255)); }
 
 }  // namespace manzana::foliage

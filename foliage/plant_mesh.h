@@ -59,5 +59,9 @@ PlantLevel finish_level(const PlantMesh& mesh, const PlantSize& size, float min_
 
 /// Signed normalised 10-10-10-2 of a unit vector.
 std::uint32_t pack_normal(const Vec3& normal);
+/// Unsigned normalised, of [0, kUvRange]; cut off there.
+std::uint16_t pack_uv(float v);
+/// Unsigned normalised; cut off.
+std::uint8_t pack_shade(float v);
 
 }  // namespace manzana::foliage

@@ -57,6 +57,14 @@ struct BranchLevel {
   std::uint32_t branches = 0;    ///< the first so many by importance are in the mesh
   std::uint32_t first_line = 0;  ///< lines [first_line, end) stand for all the others
   float error_m = 0;             ///< width of the thickest branch that is a line here; 0 at the finest
+  float mesh_error_m = 0;        ///< how far the mesh is from that of the finest level
+  Run steps;                     ///< of PreparedPlant::branch_steps, from the next level's branches (the last: from
+              ///< none) to this level's, one more branch in the mesh with each: foliage/branch_levels.h
+};
+
+/// A pair between two levels: the level's first so many quads, and lines [first_line, end).
+struct BranchStep {
+  std::uint32_t quads, first_line;
 };
 
 /// [Gumbau 2009] Leaves near each other, in an oriented box. Closed; holds every corner of its quads.
@@ -86,7 +94,8 @@ struct PreparedPlant {
 
   std::vector<PlantQuad> bark;
   std::vector<BranchLevel> branch_levels;  ///< finest first
-  std::vector<LineSegment> lines;          ///< most important branch first
+  std::vector<BranchStep> branch_steps;
+  std::vector<LineSegment> lines;  ///< most important branch first; in random order those between two levels
 
   std::vector<PlantQuad> leaves;
   std::vector<LeafCell> cells;
