@@ -3,50 +3,31 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <numeric>
+#include <tuple>
 #include <utility>
+
+#include "foliage/plant_quads.h"
 
 namespace manzana::foliage {
 namespace {
 
-/// All that a corner of a quad carries.
-struct PackedCorner {
-  PlantQuad::Corner corner;
-  std::uint32_t normal;
-  std::uint8_t shade;
-
-  bool operator==(const PackedCorner& o) const {
-    return corner.position == o.corner.position && corner.u == o.corner.u && corner.v == o.corner.v &&
-           normal == o.normal && shade == o.shade;
-  }
-};
-
-using Triangle = std::array<PackedCorner, 3>;
-
-PackedCorner packed(const MeshVertex& v, std::uint32_t level) {
-  return {{v.position, pack_uv(v.uv.x), pack_uv(v.uv.y)},
-          pack_normal(v.normal) | (level << 30),
-          static_cast<std::uint8_t>(std::lround(std::clamp(v.shade, 0.0F, 1.0F) * 255))};
-}
-
-PlantQuad quad_of(const std::array<PackedCorner, 4>& corners, const Vec3& anchor) {
-  PlantQuad quad{};
-  for (std::size_t k = 0; k < 4; ++k) {
-    quad.corners[k] = corners[k].corner;
-    quad.normals[k] = corners[k].normal;
-    quad.shades[k] = corners[k].shade;
-  }
-  quad.anchor = anchor;
-  return quad;
-}
-
-/// Edge 2-0 of `a` turned so that it is an edge of `b`, which winds alike.
-std::optional<std::array<PackedCorner, 4>> joined(const Triangle& a, const Triangle& b) {
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      if (a[(i + 2) % 3] == b[(j + 1) % 3] && a[i] == b[j])
-        return std::array{a[i], a[(i + 1) % 3], a[(i + 2) % 3], b[(j + 2) % 3]};
-  return std::nullopt;
+/// Indices with vertices that are alike made one: files repeat them.
+std::vector<std::uint32_t> welded(const MeshPart& part) {
+  const auto key = [&](std::uint32_t i) {
+    const MeshVertex& v = part.vertices[i];
+    return std::tuple(v.position.x, v.position.y, v.position.z, v.uv.x, v.uv.y, v.normal.x, v.normal.y, v.normal.z,
+                      v.shade);
+  };
+  std::vector<std::uint32_t> order(part.vertices.size()), first(part.vertices.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return std::tuple(key(a), a) < std::tuple(key(b), b); });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    first[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
+  std::vector<std::uint32_t> indices;
+  indices.reserve(part.indices.size());
+  for (const std::uint32_t i : part.indices) indices.push_back(first[i]);
+  return indices;
 }
 
 struct Edge {
@@ -73,9 +54,7 @@ class Petiole {
  public:
   Petiole(const Plant& plant, const Terminal& terminal) : plant_(plant), terminal_(terminal) {}
 
-  Vec3 find() const {
-    return terminal_.branch < 0 ? foot_of_picture() : nearest_to(plant_.branches[branch()].line);
-  }
+  Vec3 find() const { return terminal_.branch < 0 ? foot_of_picture() : nearest_to(plant_.branches[branch()].line); }
 
  private:
   std::size_t branch() const { return static_cast<std::size_t>(terminal_.branch); }
@@ -116,43 +95,20 @@ class Petiole {
   const Terminal& terminal_;
 };
 
-std::vector<Triangle> triangles_of(const Plant& plant, const Terminal& terminal) {
-  const MeshPart& part = plant.mesh.leaves;
-  const std::uint32_t level =
-      terminal.branch < 0 ? 3 : std::min<std::uint32_t>(plant.branches[static_cast<std::size_t>(terminal.branch)].level, 3);
-  std::vector<Triangle> triangles;
-  for (std::size_t i = 3 * std::size_t{terminal.triangles.first}; i < 3 * std::size_t{terminal.triangles.last}; i += 3)
-    triangles.push_back({packed(part.vertices[part.indices[i]], level), packed(part.vertices[part.indices[i + 1]], level),
-                         packed(part.vertices[part.indices[i + 2]], level)});
-  return triangles;
-}
-
-/// Each triangle takes the first later one that fits. Partners lie near each other in every file met.
-void append_quads(const std::vector<Triangle>& triangles, const Vec3& anchor, std::vector<PlantQuad>& quads) {
-  constexpr std::size_t kWindow = 16;
-  std::vector<bool> taken(triangles.size(), false);
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    if (taken[i]) continue;
-    std::array<PackedCorner, 4> corners{triangles[i][0], triangles[i][1], triangles[i][2], triangles[i][2]};
-    for (std::size_t j = i + 1; j < std::min(triangles.size(), i + kWindow); ++j) {
-      if (taken[j]) continue;
-      if (const auto both = joined(triangles[i], triangles[j])) {
-        corners = *both;
-        taken[j] = true;
-        break;
-      }
-    }
-    quads.push_back(quad_of(corners, anchor));
-  }
+std::uint32_t level_of(const Plant& plant, const Terminal& terminal) {
+  return terminal.branch < 0 ? 3 : plant.branches[static_cast<std::size_t>(terminal.branch)].level;
 }
 
 }  // namespace
 
 LeafQuads leaf_quads(const Plant& plant) {
   LeafQuads out;
+  const std::vector<std::uint32_t> indices = welded(plant.mesh.leaves);
   for (const Terminal& terminal : plant.terminals) {
     const auto first = static_cast<std::uint32_t>(out.quads.size());
-    append_quads(triangles_of(plant, terminal), Petiole(plant, terminal).find(), out.quads);
+    const auto own = std::span(indices).subspan(3 * std::size_t{terminal.triangles.first},
+                                                3 * std::size_t{terminal.triangles.size()});
+    add_quads(plant.mesh.leaves, own, {Petiole(plant, terminal).find(), level_of(plant, terminal)}, out.quads);
     out.leaves.push_back({first, static_cast<std::uint32_t>(out.quads.size())});
   }
   return out;

@@ -21,8 +21,8 @@ struct GridWeights {
 };
 
 /// Of a direction of any length, floats as they are (no division decides); of 0 or not finite: the upper pole. Places
-/// are rounded to whole 256ths of a step, so a vertex that is meant has weight 256. Parts below 2^-100 count as 0, a sum
-/// of parts from 2^100 on as not finite. side <= 257.
+/// are rounded to whole 256ths of a step, so a vertex that is meant has weight 256. Parts below 2^-100 count as 0, a
+/// sum of parts from 2^100 on as not finite. side <= 257.
 GridWeights grid_weights(std::uint32_t side, const Vec3& direction);
 
 }  // namespace manzana::foliage
