@@ -1,0 +1,28 @@
+#include "foliage/prepare.h"
+
+#include "foliage/branch_levels.h"
+#include "foliage/leaf_cloud.h"
+
+namespace manzana::foliage {
+
+PreparedPlant prepare(const Plant& plant, const PrepareOptions& options) {
+  const auto tell = [&](double done) {
+    if (options.progress) options.progress(done);
+  };
+  check(plant);
+  PreparedPlant ready;
+  ready.name = plant.name;
+  const PlantSize size = measure(plant.mesh);
+  ready.height_m = size.height;
+  ready.crown_radius_m = size.radius;
+  ready.leaf_image = plant.leaf_image;
+  ready.bark_image = plant.bark_image;
+  tell(0);
+  prepare_branches(plant, options, ready);
+  tell(0.2);
+  prepare_leaves(plant, options, ready);
+  tell(1);
+  return ready;
+}
+
+}  // namespace manzana::foliage
