@@ -19,11 +19,6 @@ constexpr float kRootDepth = 0.03F;       // of the height: the trunk goes into 
 constexpr float kFineRadiusPx = 45;       // below it a leaf of the fine level is under a pixel
 constexpr std::size_t kCoarseCards = 40;  // 80 triangles
 
-template <class T>
-std::uint32_t size_of(const std::vector<T>& rows) {
-  return static_cast<std::uint32_t>(rows.size());
-}
-
 std::uint32_t triangles_of(const MeshPart& part) { return static_cast<std::uint32_t>(part.triangles()); }
 
 /// Into the ground; and one more ring, since the flare falls off within the first segment.
@@ -34,20 +29,6 @@ void add_foot(std::vector<StemPoint>& points, float depth) {
   ring.radius = glm::mix(points[1].radius, points[0].radius, kFlareLeft);
   points[0].position.z -= depth;
   points.insert(points.begin() + 1, ring);
-}
-
-void add_branch(Plant& plant, const Stem& stem) {
-  std::vector<StemPoint> points = stem.points;
-  if (stem.parent < 0) add_foot(points, kRootDepth * stem.length);
-  Branch branch{stem.parent, static_cast<std::uint16_t>(stem.level), {}, {}};
-  branch.line.first = size_of(plant.centre_lines);
-  for (const StemPoint& p : points) plant.centre_lines.push_back({p.position, p.radius});
-  plant.centre_lines.back().radius = 0;  // the tube ends in a point
-  branch.line.last = size_of(plant.centre_lines);
-  branch.triangles.first = triangles_of(plant.mesh.bark);
-  add_tube(plant.mesh.bark, points, stem.length, stem_sides(stem.level), stem.level == 0 ? 2 : 1);
-  branch.triangles.last = triangles_of(plant.mesh.bark);
-  plant.branches.push_back(branch);
 }
 
 /// Every third point of the trunk, three sides.
@@ -103,7 +84,11 @@ void add_leaves(Plant& plant, const Skeleton& skeleton, const SpeciesParams& spe
 Plant plant_of(const Skeleton& skeleton, const SpeciesParams& species, std::uint64_t seed) {
   Plant plant;
   plant.name = species.name;
-  for (const Stem& stem : skeleton.stems) add_branch(plant, stem);
+  for (const Stem& stem : skeleton.stems) {
+    std::vector<StemPoint> points = stem.points;
+    if (stem.parent < 0) add_foot(points, kRootDepth * stem.length);
+    add_branch(plant, stem, points);
+  }
   add_leaves(plant, skeleton, species, hash(seed, 2));
   plant.leaf_image = leaf_image(species.leaf_shape, species.leaf_rgb, hash(seed, 3));
   plant.bark_image = bark_image(species.bark_rgb, hash(seed, 4));

@@ -38,4 +38,16 @@ void add_tube(MeshPart& bark, std::span<const StemPoint> points, float length, i
   }
 }
 
+void add_branch(Plant& plant, const Stem& stem, std::span<const StemPoint> points) {
+  const auto line_size = [&] { return static_cast<std::uint32_t>(plant.centre_lines.size()); };
+  const auto triangles = [&] { return static_cast<std::uint32_t>(plant.mesh.bark.triangles()); };
+  Branch branch{stem.parent, static_cast<std::uint16_t>(stem.level), {line_size(), 0}, {triangles(), 0}};
+  for (const StemPoint& p : points) plant.centre_lines.push_back({p.position, p.radius});
+  plant.centre_lines.back().radius = 0;  // the tube ends in a point
+  add_tube(plant.mesh.bark, points, stem.length, stem_sides(stem.level), stem.level == 0 ? 2 : 1);
+  branch.line.last = line_size();
+  branch.triangles.last = triangles();
+  plant.branches.push_back(branch);
+}
+
 }  // namespace manzana::foliage
