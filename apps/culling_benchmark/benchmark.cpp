@@ -3,7 +3,6 @@
 #include <cstdio>
 
 #include "apps/common/progress_bar.h"
-#include "apps/common/whole_file.h"
 #include "apps/culling_benchmark/cars.h"
 #include "apps/culling_benchmark/catalogue.h"
 #include "apps/culling_benchmark/child.h"
@@ -19,6 +18,7 @@
 #include "apps/culling_benchmark/run.h"
 #include "apps/culling_benchmark/sharing.h"
 #include "apps/culling_benchmark/summary.h"
+#include "files/whole_file.h"
 
 namespace manzana::culling_benchmark {
 namespace {
@@ -86,23 +86,23 @@ std::string sharing_section(const Options& options) {
 
 int time_all(const Options& options, const std::vector<std::string>& arguments) {
   for (const std::string& name : cases_of(options)) look_up_case(name);
-  apps::make_folder(options.out);
+  files::make_folder(options.out);
   remove_parts(options.out);
   const auto rows = run_all(options, arguments);
   const auto table = summarise(options, rows);
   auto wrong = faults(rows);
-  apps::write_whole(options.out / "summary.csv", to_csv(table));
+  files::write_whole(options.out / "summary.csv", to_csv(table));
   if (const auto front = trade_front(table); !front.empty())
-    apps::write_whole(options.out / "front.csv", to_csv(front));
-  apps::write_whole(options.out / "columns.md", columns_md());
+    files::write_whole(options.out / "front.csv", to_csv(front));
+  files::write_whole(options.out / "columns.md", columns_md());
   std::filesystem::remove_all(truth_folder(options));
   const PaperPart paper = with_paper(options) ? measure_paper(options, arguments) : PaperPart{};
   std::string sections = sharing_section(options);
   sections += cars_section(options);
   sections += extremes_section(options, wrong);
   const auto plots = draw_all(options.out, all_plots(options, table, paper));
-  apps::write_whole(options.out / "report.md",
-                    report_md(options, table, wrong, plots) + sections + paper_section(paper, plots));
+  files::write_whole(options.out / "report.md",
+                     report_md(options, table, wrong, plots) + sections + paper_section(paper, plots));
   std::printf("written to %s; read report.md first\n", options.out.c_str());
   for (const std::string& line : wrong) std::fprintf(stderr, "WRONG: %s\n", line.c_str());
   return wrong.empty() ? 0 : 1;

@@ -1,9 +1,9 @@
 #include <array>
 
-#include "apps/common/whole_file.h"
 #include "apps/culling_benchmark/cars.h"
 #include "apps/culling_benchmark/csv.h"
 #include "apps/culling_benchmark/markdown.h"
+#include "files/whole_file.h"
 
 namespace manzana::culling_benchmark {
 namespace {
@@ -49,7 +49,7 @@ std::string verdict(const CarsRun& run) {
 }  // namespace
 
 void write_cars(const std::filesystem::path& folder, const CarsRun& run) {
-  apps::write_whole(folder / "cars.csv", to_csv<CarsRow>(run.rows, kColumns));
+  files::write_whole(folder / "cars.csv", to_csv<CarsRow>(run.rows, kColumns));
 }
 
 std::string cars_columns_md() { return "\n## cars.csv\n" + explain<CarsRow>(kColumns); }

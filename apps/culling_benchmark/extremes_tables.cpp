@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "apps/common/whole_file.h"
 #include "apps/culling_benchmark/csv.h"
 #include "apps/culling_benchmark/markdown.h"
+#include "files/whole_file.h"
 
 namespace manzana::culling_benchmark {
 namespace {
@@ -91,9 +91,9 @@ std::string depths_text(double near_m, double far_m) {
 std::string by_field(const ExtremesRow& row) { return to_cell(row.fovy_deg); }
 
 void write_extremes(const std::filesystem::path& folder, const Extremes& extremes) {
-  apps::write_whole(folder / "extremes.csv", to_csv<ExtremesRow>(extremes.rows, kRowColumns));
-  apps::write_whole(folder / "extremes_far.csv", to_csv<FarRow>(extremes.far, kFarColumns));
-  apps::write_whole(folder / "extremes.svg", extremes_svg(extremes));
+  files::write_whole(folder / "extremes.csv", to_csv<ExtremesRow>(extremes.rows, kRowColumns));
+  files::write_whole(folder / "extremes_far.csv", to_csv<FarRow>(extremes.far, kFarColumns));
+  files::write_whole(folder / "extremes.svg", extremes_svg(extremes));
 }
 
 std::string extremes_columns_md() {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "apps/common/whole_file.h"
 #include "apps/culling_benchmark/child.h"
+#include "files/whole_file.h"
 
 namespace manzana::culling_benchmark {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 /// 0 when it is there; 127 without a gnuplot.
 int draw(const std::filesystem::path& out, const Script& script) {
   const std::string file = "plots/" + script.name + ".gp";
-  apps::write_whole(out / file, script.text);
+  files::write_whole(out / file, script.text);
   const int code =
       run_child({"sh", "-c", "cd \"$0\" && exec gnuplot \"$1\"", out.string(), file}, [](const std::string&) {});
   if (code == 0) std::filesystem::rename(out / (script.name + ".svg.part"), out / (script.name + ".svg"));
@@ -49,7 +49,7 @@ std::string plot_command(const std::vector<std::string>& parts) {
 std::vector<std::string> draw_all(const std::filesystem::path& out, const std::vector<Script>& scripts) {
   std::vector<std::string> drawn;
   int worst = 0;
-  apps::make_folder(out / "plots");
+  files::make_folder(out / "plots");
   for (const Script& script : scripts) {
     const int code = draw(out, script);
     if (code == 0) drawn.push_back(script.name);

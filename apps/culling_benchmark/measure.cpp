@@ -4,7 +4,6 @@
 #include <cctype>
 #include <chrono>
 
-#include "apps/common/whole_file.h"
 #include "apps/culling_benchmark/conditions.h"
 #include "apps/culling_benchmark/frame_table.h"
 #include "apps/culling_benchmark/machine.h"
@@ -13,6 +12,7 @@
 #include "apps/culling_benchmark/stock.h"
 #include "apps/culling_benchmark/truth.h"
 #include "culling/hash.h"
+#include "files/whole_file.h"
 
 namespace manzana::culling_benchmark {
 namespace {
@@ -183,9 +183,9 @@ class Measurer {
 
   void write_frames(const RunRow& row, const Plan& plan, const PairTimes& times, const std::vector<Counts>& counts) {
     const auto folder = options_.out / "frames";
-    apps::make_folder(folder);
-    apps::write_whole(folder / (file_name(row.case_name) + "_" + row.peer + ".csv"),
-                      to_csv(frame_table(counts, plan, times)));
+    files::make_folder(folder);
+    files::write_whole(folder / (file_name(row.case_name) + "_" + row.peer + ".csv"),
+                       to_csv(frame_table(counts, plan, times)));
   }
 
   const Options& options_;

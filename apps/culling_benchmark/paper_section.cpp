@@ -7,12 +7,12 @@
 #include <sstream>
 
 #include "apps/common/progress_bar.h"
-#include "apps/common/whole_file.h"
 #include "apps/culling_benchmark/child.h"
 #include "apps/culling_benchmark/machine.h"
 #include "apps/culling_benchmark/paper_record.h"
 #include "apps/culling_benchmark/paper_text.h"
 #include "apps/culling_benchmark/rules.h"
+#include "files/whole_file.h"
 #include "gl/context.h"
 
 namespace manzana::culling_benchmark {
@@ -78,7 +78,7 @@ void run_paper_process(const Options& options) {
     std::fflush(stdout);
   };
   paper::measure(run, {say, [&](const paper::PaperRun& part) {
-                         apps::write_whole(options.out / kRecord, paper::record(part, made_by()));
+                         files::write_whole(options.out / kRecord, paper::record(part, made_by()));
                        }});
 }
 
@@ -89,7 +89,7 @@ PaperPart measure_paper(const Options& options, const std::vector<std::string>& 
   part.run = paper::unmeasured(paper::paper_lanes(), paper_options(options));
   paper::restore(part.run, read_record(options), made_by());
   part.rows = paper::paper_rows(part.run);
-  apps::write_whole(options.out / "paper.csv", paper::to_csv(part.rows));
+  files::write_whole(options.out / "paper.csv", paper::to_csv(part.rows));
   return part;
 }
 

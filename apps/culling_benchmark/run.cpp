@@ -5,11 +5,11 @@
 #include <sstream>
 
 #include "apps/common/progress_bar.h"
-#include "apps/common/whole_file.h"
 #include "apps/culling_benchmark/catalogue.h"
 #include "apps/culling_benchmark/child.h"
 #include "apps/culling_benchmark/measure.h"
 #include "apps/culling_benchmark/rules.h"
+#include "files/whole_file.h"
 
 namespace manzana::culling_benchmark {
 namespace {
@@ -103,7 +103,7 @@ class Parent {
 
   void keep(RunRow row) {
     rows_.push_back(std::move(row));
-    apps::write_whole(options_.out / "runs.csv", to_csv(rows_));
+    files::write_whole(options_.out / "runs.csv", to_csv(rows_));
   }
 
   const Options& options_;

@@ -9,12 +9,12 @@
 #include <random>
 #include <thread>
 
-#include "apps/common/whole_file.h"
 #include "apps/culling_benchmark/clock.h"
 #include "apps/culling_benchmark/csv.h"
 #include "apps/culling_benchmark/markdown.h"
 #include "apps/culling_benchmark/statistics.h"
 #include "culling/baselines/cases.h"
+#include "files/whole_file.h"
 
 namespace manzana::culling_benchmark {
 namespace {
@@ -134,7 +134,7 @@ SharingRun run_sharing(const SharingOptions& options, const std::function<void(d
 }
 
 void write_sharing(const std::filesystem::path& folder, const SharingRun& run) {
-  apps::write_whole(folder / "sharing.csv", to_csv<SharingRow>(run.rows, kColumns));
+  files::write_whole(folder / "sharing.csv", to_csv<SharingRow>(run.rows, kColumns));
 }
 
 std::string sharing_columns_md() { return "\n## sharing.csv\n" + explain<SharingRow>(kColumns); }

@@ -9,11 +9,11 @@
 #include <optional>
 #include <span>
 
-#include "apps/common/whole_file.h"
 #include "apps/culling_benchmark/clock.h"
 #include "apps/culling_benchmark/machine.h"
 #include "culling/baselines/exact.h"
 #include "culling/hash.h"
+#include "files/whole_file.h"
 
 namespace manzana::culling_benchmark {
 namespace {
@@ -97,8 +97,8 @@ Truth kept_truth(const Workload& work, const std::filesystem::path& folder) {
   const auto file = folder / key_of(work);
   if (auto kept = read_truth(work, file)) return *std::move(kept);
   Truth truth = find_truth(work);
-  apps::make_folder(folder);
-  apps::write_whole(file, bytes_of(truth));
+  files::make_folder(folder);
+  files::write_whole(file, bytes_of(truth));
   return truth;
 }
 

@@ -5,11 +5,11 @@
 
 #include "apps/common/progress_bar.h"
 #include "apps/common/quantile.h"
-#include "apps/common/whole_file.h"
 #include "apps/walkthrough/caption.h"
 #include "apps/walkthrough/frame.h"
 #include "apps/walkthrough/load.h"
 #include "apps/walkthrough/summary.h"
+#include "files/whole_file.h"
 #include "gl/context.h"
 
 namespace manzana::walkthrough {
@@ -62,9 +62,9 @@ void run_headless(const Options& options, const Imported& city, std::span<const 
   const std::vector<FrameRow> rows = draw_path(options, stage, path);
   const std::string by_name = gl::software_renderer() ? "low" : "high";
   const RunFacts facts{renderer, options.quality.empty() ? by_name : options.quality, path.name, largest_memory_mb()};
-  apps::write_whole(options.out / "frames.csv", to_csv(rows));
-  apps::write_whole(options.out / "issues.txt", issue_table(city.issues));
-  apps::write_whole(options.out / "summary.json", summary_json(options, city, rows, facts));
+  files::write_whole(options.out / "frames.csv", to_csv(rows));
+  files::write_whole(options.out / "issues.txt", issue_table(city.issues));
+  files::write_whole(options.out / "summary.json", summary_json(options, city, rows, facts));
   print_result(options, rows);
 }
 

@@ -3,12 +3,12 @@
 #include <cstdio>
 #include <string>
 
-#include "apps/common/whole_file.h"
 #include "apps/walkthrough/builtin_paths.h"
 #include "apps/walkthrough/headless.h"
 #include "apps/walkthrough/load.h"
 #include "apps/walkthrough/options.h"
 #include "apps/walkthrough/window.h"
+#include "files/whole_file.h"
 
 namespace {
 
@@ -30,7 +30,7 @@ void run(const Options& options) {
   CameraPath path;
   if (!is_builtin_path(options.path)) path = read_path(options.path);
   const auto plants = load_plants(options);
-  if (!display.open()) apps::make_folder(options.out);
+  if (!display.open()) files::make_folder(options.out);
   const Imported city = load_city(options);
   print_city(city);
   if (path.keys.empty()) path = builtin_path(options.path, city.scene);

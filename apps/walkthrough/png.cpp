@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "apps/common/whole_file.h"
+#include "files/whole_file.h"
 
 namespace manzana::walkthrough {
 namespace {
@@ -23,7 +23,7 @@ void write_png(const std::filesystem::path& file, const Picture& picture) {
   std::string bytes;
   if (stbi_write_png_to_func(append, &bytes, width, height, 3, picture.rgb.data(), width * 3) == 0)
     throw std::runtime_error(file.string() + ": the picture cannot be packed");
-  apps::write_whole(file, bytes);
+  files::write_whole(file, bytes);
 }
 
 }  // namespace manzana::walkthrough

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "apps/common/whole_file.h"
+#include "files/whole_file.h"
 
 namespace manzana::walkthrough {
 
@@ -32,9 +32,9 @@ void Recorder::take(double now, const CameraPose& pose) {
 std::filesystem::path Recorder::stop(const std::filesystem::path& folder) {
   on_ = false;
   if (path_.keys.empty()) throw std::runtime_error("nothing was recorded");
-  apps::make_folder(folder);
+  files::make_folder(folder);
   const auto file = free_name(folder, "path-", ".json");
-  apps::write_whole(file, to_json(path_));
+  files::write_whole(file, to_json(path_));
   return file;
 }
 

@@ -1,8 +1,9 @@
 #include "apps/common/progress_bar.h"
-#include "apps/common/whole_file.h"
+#include "files/whole_file.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace manzana::apps;
+using namespace manzana::files;
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "apps/common/whole_file.h"
+#include "files/whole_file.h"
 
 #include <unistd.h>
 
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace manzana::apps {
+namespace manzana::files {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& what) {
@@ -44,4 +44,4 @@ void make_folder(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder)) fail(folder, "is not a folder");
 }
 
-}  // namespace manzana::apps
+}  // namespace manzana::files
