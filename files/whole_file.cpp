@@ -44,4 +44,17 @@ void make_folder(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder)) fail(folder, "is not a folder");
 }
 
+std::vector<unsigned char> read_whole(const std::filesystem::path& file, std::uint64_t most_bytes) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) throw std::runtime_error("no such file");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw std::runtime_error("cannot be opened");
+  const std::uint64_t size = std::filesystem::file_size(file);
+  if (size > most_bytes) throw std::runtime_error("larger than " + std::to_string(most_bytes >> 20) + " MiB");
+  std::vector<unsigned char> bytes(size);
+  in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (static_cast<std::uint64_t>(in.gcount()) != size) throw std::runtime_error("cannot be read");
+  return bytes;
+}
+
 }  // namespace manzana::files

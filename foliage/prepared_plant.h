@@ -107,4 +107,8 @@ struct PreparedPlant {
   Visibility visibility;
 };
 
+/// Throws std::invalid_argument, naming the row, for a run that leaves its list, a list that breaks the rules above, or
+/// a number that is not finite or beyond a million. Linear. What passes can be drawn.
+void check(const PreparedPlant& plant);
+
 }  // namespace manzana::foliage

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
+
+#include "files/whole_file.h"
 
 namespace manzana::foliage {
 namespace {
@@ -212,18 +213,7 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-std::vector<unsigned char> read_file(const fs::path& file) {
-  std::error_code error;
-  if (!fs::is_regular_file(file, error)) fail("no such file");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) fail("cannot be opened");
-  const std::uint64_t size = fs::file_size(file);
-  if (size > kMaxGltfBytes) fail("larger than " + std::to_string(kMaxGltfBytes >> 20) + " MiB");
-  std::vector<unsigned char> bytes(size);
-  in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (static_cast<std::uint64_t>(in.gcount()) != size) fail("cannot be read");
-  return bytes;
-}
+std::vector<unsigned char> read_file(const fs::path& file) { return files::read_whole(file, kMaxGltfBytes); }
 
 tinygltf::Model load_gltf(std::span<const unsigned char> bytes, const std::optional<fs::path>& folder) {
   if (bytes.size() > kMaxGltfBytes) fail("larger than " + std::to_string(kMaxGltfBytes >> 20) + " MiB");
