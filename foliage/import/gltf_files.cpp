@@ -19,34 +19,17 @@ using Json = nlohmann::json;
 
 [[noreturn]] void fail(const std::string& what) { throw std::runtime_error(what); }
 
-/// The folder that tinygltf may read from. It asks for a name relative to the folder, then for the same after "./".
+/// tinygltf asks for a name relative to the folder, then for the same after "./", and takes no exceptions.
 struct Sandbox {
-  std::optional<fs::path> folder;
-  std::uint64_t bytes_left = kMaxGltfBytes;
-  std::string refusal;  // the first thing that was asked for and must not be read
+  FolderFiles& files;
+  std::string refusal = {};  // the first thing that was asked for and must not be read
 };
-
-/// Nothing if it is absent; throws for what lies outside.
-std::optional<fs::path> resolved(const Sandbox& sandbox, const std::string& name) {
-  const fs::path relative(name);
-  if (!sandbox.folder) fail("refers to the file " + name + ", and this one is read without others");
-  if (relative.is_absolute() || std::find(relative.begin(), relative.end(), "..") != relative.end())
-    fail("refers to " + name + ", outside its folder");
-  std::error_code error;
-  const fs::path folder = fs::canonical(*sandbox.folder, error);
-  if (error) fail("its folder is not readable");
-  const fs::path full = fs::canonical(folder / relative, error);
-  if (error || !fs::is_regular_file(full, error)) return std::nullopt;
-  if (std::mismatch(folder.begin(), folder.end(), full.begin(), full.end()).first != folder.end())
-    fail("refers to " + name + ", a link that leads outside its folder");
-  return full;
-}
 
 bool file_exists(const std::string& name, void* user) {
   auto& sandbox = *static_cast<Sandbox*>(user);
   if (name.empty()) return false;
   try {
-    return resolved(sandbox, name).has_value();
+    return sandbox.files.find(name).has_value();
   } catch (const std::runtime_error& error) {
     if (sandbox.refusal.empty()) sandbox.refusal = error.what();
     return false;
@@ -56,11 +39,9 @@ bool file_exists(const std::string& name, void* user) {
 bool read_whole_file(std::vector<unsigned char>* out, std::string* error, const std::string& name, void* user) {
   auto& sandbox = *static_cast<Sandbox*>(user);
   try {
-    const auto full = resolved(sandbox, name);
-    if (!full) return false;
-    if (fs::file_size(*full) > sandbox.bytes_left) fail("refers to too many bytes in other files");
-    *out = read_file(*full);
-    sandbox.bytes_left -= std::min<std::uint64_t>(out->size(), sandbox.bytes_left);
+    auto bytes = sandbox.files.read(name);
+    if (!bytes) return false;
+    *out = std::move(*bytes);
     return true;
   } catch (const std::exception& e) {
     if (sandbox.refusal.empty()) sandbox.refusal = e.what();
@@ -215,7 +196,7 @@ std::string one_line(std::string text) {
 
 std::vector<unsigned char> read_file(const fs::path& file) { return files::read_whole(file, kMaxGltfBytes); }
 
-tinygltf::Model load_gltf(std::span<const unsigned char> bytes, const std::optional<fs::path>& folder) {
+tinygltf::Model load_gltf(std::span<const unsigned char> bytes, FolderFiles& files) {
   if (bytes.size() > kMaxGltfBytes) fail("larger than " + std::to_string(kMaxGltfBytes >> 20) + " MiB");
   const std::string_view text = json_text(bytes);
   check_depth(text);
@@ -224,7 +205,7 @@ tinygltf::Model load_gltf(std::span<const unsigned char> bytes, const std::optio
   check_version(root);
   check_extensions(root);
   check_buffers(root);
-  Sandbox sandbox{folder, kMaxGltfBytes, {}};
+  Sandbox sandbox{files};
   tinygltf::TinyGLTF loader;
   loader.SetFsCallbacks({file_exists, as_it_is, read_whole_file, nullptr, &sandbox});
   loader.SetImageLoader(keep_encoded, nullptr);
@@ -241,6 +222,11 @@ tinygltf::Model load_gltf(std::span<const unsigned char> bytes, const std::optio
       fail("a buffer view ends past its buffer");
   }
   return model;
+}
+
+tinygltf::Model load_gltf(std::span<const unsigned char> bytes, const std::optional<fs::path>& folder) {
+  FolderFiles files(folder, kMaxGltfBytes);
+  return load_gltf(bytes, files);
 }
 
 }  // namespace manzana::foliage

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "foliage/import/folder_files.h"
+
 namespace tinygltf {
 class Model;
 }
@@ -18,9 +20,10 @@ inline constexpr std::uint64_t kMaxGltfBytes = 256U << 20;  // of the file, and 
 /// Reads a regular file of at most kMaxGltfBytes; throws std::runtime_error.
 std::vector<unsigned char> read_file(const std::filesystem::path& file);
 
-/// Buffers lie in `folder` or below it, links followed; without a folder there are none but those within `bytes`.
+/// Buffers are among `files`, or within `bytes`.
 /// Images are left encoded, in tinygltf::Image::image, or in their buffer view. Sure afterwards: every buffer view lies
 /// within its buffer, and no extension is required that we do not know. Throws std::runtime_error.
+tinygltf::Model load_gltf(std::span<const unsigned char> bytes, FolderFiles& files);
 tinygltf::Model load_gltf(std::span<const unsigned char> bytes, const std::optional<std::filesystem::path>& folder);
 
 }  // namespace manzana::foliage
