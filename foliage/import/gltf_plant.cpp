@@ -5,7 +5,8 @@
 
 #include "foliage/few_cards.h"
 #include "foliage/import/gltf_files.h"
-#include "foliage/import/plant_parts.h"
+#include "foliage/import/gltf_materials.h"
+#include "foliage/import/gltf_triangles.h"
 #include "foliage/import/simplify.h"
 
 namespace manzana::foliage {
@@ -44,49 +45,50 @@ PlantMesh coarse_mesh(const PlantMesh& fine, const Silhouette& silhouette) {
   return coarse;
 }
 
-PlantModel plant_from(const tinygltf::Model& gltf, const std::string& name) {
-  PlantParts parts = plant_parts(gltf);
-  parts.mesh = {welded(parts.mesh.bark), welded(parts.mesh.leaves)};
-  const PlantSize size = measure(parts.mesh);
-  const auto sensible = [](float v) { return v > 1e-6F && v < 1e6F; };
-  if (!sensible(size.height) || !sensible(size.radius))
-    throw std::runtime_error("a plant of " + std::to_string(size.height) + " m height and " +
-                             std::to_string(size.radius) + " m radius");
-  const Silhouette silhouette{parts.leaf, size};
-  const CrownLight light(parts.mesh.leaves);
-  PlantMesh fine = fine_mesh(std::move(parts.mesh), silhouette);
+PlantModel model_of(Plant plant) {
+  const Silhouette silhouette{plant.leaf_image, measure(plant.mesh)};
+  const PlantMesh fine = fine_mesh(std::move(plant.mesh), silhouette);
   PlantMesh coarse = coarse_mesh(fine, silhouette);
-  light.apply(fine);
-  light.apply(coarse);
   take_light(coarse.leaves, fine.leaves);
   const PlantSize drawn = measure(fine);  // fewer triangles may reach less far
-  PlantModel model{name, drawn.height, drawn.radius, parts.leaf, parts.bark, {}};
+  PlantModel model{plant.name, drawn.height, drawn.radius, plant.leaf_image, plant.bark_image, {}};
   model.levels = {finish_level(fine, drawn, kFineRadiusPx), finish_level(coarse, drawn, 0)};
   return model;
 }
 
-PlantModel import_bytes(std::span<const unsigned char> bytes, const std::string& name,
+PlantReading read_bytes(std::span<const unsigned char> bytes, const std::string& name,
                         const std::optional<std::filesystem::path>& folder) {
-  return plant_from(load_gltf(bytes, folder), name);
+  const tinygltf::Model gltf = load_gltf(bytes, folder);
+  return assemble_plant(name, gltf_triangles(gltf), gltf_materials(gltf));
 }
 
 }  // namespace
 
-PlantModel import_plant(const std::filesystem::path& file) {
+PlantReading examine_plant(const std::filesystem::path& file) {
   try {
     const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-    return import_bytes(read_file(file), file.stem().string(), folder);
+    return read_bytes(read_file(file), file.stem().string(), folder);
   } catch (const std::exception& error) {
     throw std::runtime_error(file.string() + ": " + error.what());
   }
 }
 
-PlantModel import_plant(std::span<const unsigned char> bytes, const std::string& name) {
+PlantReading examine_plant(std::span<const unsigned char> bytes, const std::string& name) {
   try {
-    return import_bytes(bytes, name, std::nullopt);
+    return read_bytes(bytes, name, std::nullopt);
   } catch (const std::exception& error) {
     throw std::runtime_error(name + ": " + error.what());
   }
+}
+
+Plant read_plant(const std::filesystem::path& file) { return examine_plant(file).plant; }
+Plant read_plant(std::span<const unsigned char> bytes, const std::string& name) {
+  return examine_plant(bytes, name).plant;
+}
+
+PlantModel import_plant(const std::filesystem::path& file) { return model_of(read_plant(file)); }
+PlantModel import_plant(std::span<const unsigned char> bytes, const std::string& name) {
+  return model_of(read_plant(bytes, name));
 }
 
 }  // namespace manzana::foliage

@@ -1,18 +1,29 @@
 #pragma once
-/// A tree from a glTF file (.gltf, .glb) through tinygltf, with file access that cannot leave the file's folder.
+/// A plant from a glTF file (.gltf, .glb) through tinygltf, with file access that cannot leave the file's folder.
+///   Plant pine = read_plant("pine.glb");
+/// Y is up in glTF. Vertex attribute _BRANCHID (a number from 0): of bark, the branch that it is of; of leaves, the
+/// branch that carries them. "extras": {"organ": "leaf"} (or branch, flower, fruit) of a node, mesh, primitive or
+/// material says what its triangles are. All else as assemble_plant.h has it.
+/// All throw std::runtime_error ("FILE: what is wrong") for anything that cannot be drawn as it stands.
 #include <filesystem>
 #include <span>
 
+#include "foliage/import/assemble_plant.h"
 #include "foliage/plant_model.h"
 
 namespace manzana::foliage {
 
-/// Two levels: as it is, and reduced by meshoptimizer. Leaves are the materials with alpha, or named so; Y is up in
-/// glTF. All leaves wear one texture and all bark another, those with the most area: several in a class lose their own.
-/// Throws std::runtime_error ("FILE: what is wrong") for anything that cannot be drawn as it stands.
+Plant read_plant(const std::filesystem::path& file);
+
+/// With what was taken for what.
+PlantReading examine_plant(const std::filesystem::path& file);
+
+/// Two levels: as it is, and reduced by meshoptimizer.
 PlantModel import_plant(const std::filesystem::path& file);
 
 /// The same from memory, without any file access: for fuzzing, and for embedders. `name` stands in messages.
+Plant read_plant(std::span<const unsigned char> bytes, const std::string& name);
+PlantReading examine_plant(std::span<const unsigned char> bytes, const std::string& name);
 PlantModel import_plant(std::span<const unsigned char> bytes, const std::string& name);
 
 }  // namespace manzana::foliage

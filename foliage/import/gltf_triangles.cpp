@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "foliage/import/gltf_accessor.h"
+#include "foliage/import/gltf_materials.h"
 
 namespace manzana::foliage {
 namespace {
@@ -171,7 +172,7 @@ std::vector<std::uint32_t> triangle_indices(const tinygltf::Model& model, const 
 }
 
 /// Weighted by area; up where a vertex has no triangle.
-std::vector<Vec3> computed_normals(const GltfPart& part) {
+std::vector<Vec3> computed_normals(const SourcePart& part) {
   std::vector<Vec3d> sums(part.positions.size(), Vec3d(0));
   for (std::size_t t = 0; t + 2 < part.indices.size(); t += 3) {
     const Vec3d &a = part.positions[part.indices[t]], &b = part.positions[part.indices[t + 1]];
@@ -191,8 +192,8 @@ class PartReader {
   PartReader(const tinygltf::Model& model, const Placed& placed, const std::string& where)
       : model_(model), placed_(placed), where_(where) {}
 
-  GltfPart read(const tinygltf::Primitive& primitive) const {
-    GltfPart part;
+  SourcePart read(const tinygltf::Primitive& primitive) const {
+    SourcePart part;
     part.material = primitive.material;
     if (part.material >= 0 && static_cast<std::size_t>(part.material) >= model_.materials.size())
       fail(where_ + ": there is no material " + std::to_string(part.material));
@@ -204,6 +205,7 @@ class PartReader {
       for (std::size_t t = 0; t + 2 < part.indices.size(); t += 3) std::swap(part.indices[t + 1], part.indices[t + 2]);
     part.normals = normals(attribute(primitive, "NORMAL"), part);
     part.uvs = uvs(attribute(primitive, "TEXCOORD_0"), part.positions.size());
+    part.branch_ids = branch_ids(attribute(primitive, "_BRANCHID"), part.positions.size());
     return part;
   }
 
@@ -220,7 +222,7 @@ class PartReader {
     return out;
   }
 
-  std::vector<Vec3> normals(int accessor, const GltfPart& part) const {
+  std::vector<Vec3> normals(int accessor, const SourcePart& part) const {
     if (accessor < 0) return computed_normals(part);
     const std::vector<double> values = read_values(model_, accessor, 3);
     if (values.size() != 3 * part.positions.size()) fail(where_ + ": NORMAL and POSITION differ in count");
@@ -247,6 +249,18 @@ class PartReader {
     return out;
   }
 
+  std::vector<std::int32_t> branch_ids(int accessor, std::size_t count) const {
+    if (accessor < 0) return {};
+    const std::vector<double> values = read_values(model_, accessor, 1);
+    if (values.size() != count) fail(where_ + ": _BRANCHID and POSITION differ in count");
+    std::vector<std::int32_t> out;
+    for (const double v : values) {
+      if (!(v >= 0 && v < 1 << 24)) fail(where_ + ": a _BRANCHID is not within 0 .. 16777215");
+      out.push_back(static_cast<std::int32_t>(std::lround(v)));
+    }
+    return out;
+  }
+
   const tinygltf::Model& model_;
   const Placed& placed_;
   std::string where_;
@@ -259,21 +273,24 @@ bool has_triangles(const tinygltf::Primitive& primitive) {
 
 }  // namespace
 
-std::vector<GltfPart> gltf_triangles(const tinygltf::Model& model) {
-  std::vector<GltfPart> parts;
+std::vector<SourcePart> gltf_triangles(const tinygltf::Model& model) {
+  std::vector<SourcePart> parts;
   std::size_t vertices = 0, indices = 0;
   for (const Placed& placed : Walk(model).run()) {
-    const auto mesh_index = static_cast<std::size_t>(model.nodes[static_cast<std::size_t>(placed.node)].mesh);
+    const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(placed.node)];
+    const auto mesh_index = static_cast<std::size_t>(node.mesh);
     if (mesh_index >= model.meshes.size()) fail("there is no mesh " + std::to_string(mesh_index));
     const tinygltf::Mesh& mesh = model.meshes[mesh_index];
     const PartReader reader(model, placed, "mesh " + std::to_string(mesh_index));
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       if (!has_triangles(primitive)) continue;
-      GltfPart part = reader.read(primitive);
+      SourcePart part = reader.read(primitive);
       vertices += part.positions.size();
       indices += part.indices.size();
       if (vertices > kMaxGltfVertices || indices > kMaxGltfIndices) fail("more triangles than a plant may have");
-      part.mesh_name = mesh.name;
+      part.name = mesh.name.empty() ? node.name : mesh.name;
+      for (const tinygltf::Value* extras : {&primitive.extras, &mesh.extras, &node.extras})
+        if (!part.told) part.told = told_by_extras(*extras);
       if (!part.indices.empty()) parts.push_back(std::move(part));
     }
   }

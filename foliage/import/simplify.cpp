@@ -3,7 +3,8 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
-#include <numeric>
+
+#include "foliage/import/sets.h"
 
 namespace manzana::foliage {
 namespace {
@@ -23,11 +24,6 @@ MeshPart compact(const MeshPart& part, const std::vector<std::uint32_t>& indices
     out.indices.push_back(place[i]);
   }
   return out;
-}
-
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t v) {
-  while (parent[v] != v) v = parent[v] = parent[parent[v]];
-  return v;
 }
 
 float area(const MeshPart& part, std::size_t t) {
@@ -98,16 +94,15 @@ MeshPart simplified(const MeshPart& part, std::size_t triangles) {
 
 MeshPart largest_piece(const MeshPart& part) {
   if (part.indices.empty()) return part;
-  std::vector<std::uint32_t> parent(part.vertices.size());
   const std::vector<std::uint32_t> same = joined_by_place(part);
-  std::iota(parent.begin(), parent.end(), 0U);
-  for (std::size_t i = 0; i < same.size(); ++i) parent[root_of(parent, same[i])] = root_of(parent, same[i - i % 3]);
+  Sets sets(part.vertices.size());
+  for (std::size_t i = 0; i < same.size(); ++i) sets.join(same[i], same[i - i % 3]);
   std::vector<float> areas(part.vertices.size(), 0);
-  for (std::size_t t = 0; t + 2 < same.size(); t += 3) areas[root_of(parent, same[t])] += area(part, t);
+  for (std::size_t t = 0; t + 2 < same.size(); t += 3) areas[sets.find(same[t])] += area(part, t);
   const auto best = static_cast<std::uint32_t>(std::max_element(areas.begin(), areas.end()) - areas.begin());
   std::vector<std::uint32_t> indices;
   for (std::size_t i = 0; i < same.size(); ++i)
-    if (root_of(parent, same[i - i % 3]) == best) indices.push_back(part.indices[i]);
+    if (sets.find(same[i - i % 3]) == best) indices.push_back(part.indices[i]);
   return compact(part, indices);
 }
 
