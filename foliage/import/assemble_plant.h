@@ -6,7 +6,9 @@ namespace manzana::foliage {
 
 struct PlantReading {
   Plant plant;
-  TakenFor taken;  ///< what was taken for what
+  TakenFor taken;                  ///< what was taken for what
+  std::vector<std::string> notes;  ///< what was left out, a line each
+  std::vector<std::string> files;  ///< that it refers to, by the names that it gives them
 };
 
 /// A branch is the triangles of one branch id that hang together, or, without ids, any bark that hangs together; its

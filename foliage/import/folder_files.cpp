@@ -31,11 +31,11 @@ std::optional<fs::path> FolderFiles::find(const std::string& name) const {
 
 std::optional<std::vector<unsigned char>> FolderFiles::read(const std::string& name) {
   const auto full = find(name);
+  names_read_.push_back(name);
   if (!full) return std::nullopt;
   if (fs::file_size(*full) > bytes_left_) fail("refers to too many bytes in other files");
   std::vector<unsigned char> bytes = files::read_whole(*full, bytes_left_);
   bytes_left_ -= bytes.size();
-  names_read_.push_back(name);
   return bytes;
 }
 

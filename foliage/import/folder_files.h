@@ -14,13 +14,15 @@ class FolderFiles {
   FolderFiles(std::optional<std::filesystem::path> folder, std::uint64_t most_bytes)
       : folder_(std::move(folder)), bytes_left_(most_bytes) {}
 
+  bool has_folder() const { return folder_.has_value(); }
+
   /// Nothing if it is absent. Throws std::runtime_error for what lies outside.
   std::optional<std::filesystem::path> find(const std::string& name) const;
 
   /// The same; and throws when all that was read is more than most_bytes.
   std::optional<std::vector<unsigned char>> read(const std::string& name);
 
-  /// What was read, in order, by the names that the model gave.
+  /// What read() was asked for, in order: read, or found absent.
   const std::vector<std::string>& names_read() const { return names_read_; }
 
  private:

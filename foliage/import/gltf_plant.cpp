@@ -58,8 +58,11 @@ PlantModel model_of(Plant plant) {
 
 PlantReading read_bytes(std::span<const unsigned char> bytes, const std::string& name,
                         const std::optional<std::filesystem::path>& folder) {
-  const tinygltf::Model gltf = load_gltf(bytes, folder);
-  return assemble_plant(name, gltf_triangles(gltf), gltf_materials(gltf));
+  FolderFiles files(folder, kMaxGltfBytes);
+  const tinygltf::Model gltf = load_gltf(bytes, files);
+  PlantReading reading = assemble_plant(name, gltf_triangles(gltf), gltf_materials(gltf));
+  reading.files = files.names_read();
+  return reading;
 }
 
 }  // namespace

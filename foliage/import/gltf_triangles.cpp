@@ -171,22 +171,6 @@ std::vector<std::uint32_t> triangle_indices(const tinygltf::Model& model, const 
   return as_triangles(indices, primitive.mode);
 }
 
-/// Weighted by area; up where a vertex has no triangle.
-std::vector<Vec3> computed_normals(const SourcePart& part) {
-  std::vector<Vec3d> sums(part.positions.size(), Vec3d(0));
-  for (std::size_t t = 0; t + 2 < part.indices.size(); t += 3) {
-    const Vec3d &a = part.positions[part.indices[t]], &b = part.positions[part.indices[t + 1]];
-    const Vec3d n = glm::cross(b - a, part.positions[part.indices[t + 2]] - a);
-    for (std::size_t k = 0; k < 3; ++k) sums[part.indices[t + k]] += n;
-  }
-  std::vector<Vec3> out;
-  for (const Vec3d& sum : sums) {
-    const double length = glm::length(sum);
-    out.push_back(length > 0 && std::isfinite(length) ? Vec3(sum / length) : Vec3(0, 0, 1));
-  }
-  return out;
-}
-
 class PartReader {
  public:
   PartReader(const tinygltf::Model& model, const Placed& placed, const std::string& where)
@@ -287,7 +271,7 @@ std::vector<SourcePart> gltf_triangles(const tinygltf::Model& model) {
       SourcePart part = reader.read(primitive);
       vertices += part.positions.size();
       indices += part.indices.size();
-      if (vertices > kMaxGltfVertices || indices > kMaxGltfIndices) fail("more triangles than a plant may have");
+      if (vertices > kMaxSourceVertices || indices > kMaxSourceIndices) fail("more triangles than a plant may have");
       part.name = mesh.name.empty() ? node.name : mesh.name;
       for (const tinygltf::Value* extras : {&primitive.extras, &mesh.extras, &node.extras})
         if (!part.told) part.told = told_by_extras(*extras);

@@ -6,9 +6,6 @@
 
 namespace manzana::foliage {
 
-inline constexpr std::size_t kMaxGltfVertices = 2'000'000,
-                             kMaxGltfIndices = 6'000'000;  // of a scene, instances counted
-
 /// A part for each primitive, where its node puts it; normals are computed, and texture coordinates 0, where the file
 /// has none. Of the default scene, else of the first, else of all root nodes. Points and lines are left out, and so are
 /// nodes whose scale is 0. Throws std::runtime_error naming the node, mesh or accessor: not finite, out of bounds,

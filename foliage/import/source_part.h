@@ -10,6 +10,8 @@
 
 namespace manzana::foliage {
 
+inline constexpr std::size_t kMaxSourceVertices = 2'000'000, kMaxSourceIndices = 6'000'000;  // of a file
+
 enum class PlantPart : std::uint8_t { branch, leaf, flower, fruit };
 
 struct SourceMaterial {
@@ -29,5 +31,8 @@ struct SourcePart {
   std::vector<std::uint32_t> indices;
   std::vector<std::int32_t> branch_ids;  ///< of vertices, not below 0; or none
 };
+
+/// For a part without: weighted by area; up where a vertex has no triangle.
+std::vector<Vec3> computed_normals(const SourcePart& part);
 
 }  // namespace manzana::foliage
