@@ -31,11 +31,12 @@ void add_foot(std::vector<StemPoint>& points, float depth) {
   points.insert(points.begin() + 1, ring);
 }
 
-/// Every third point of the trunk, three sides.
+/// Three pieces of the trunk, three sides.
 MeshPart coarse_bark_of(const Skeleton& skeleton) {
   const Stem& trunk = skeleton.stems.front();
   std::vector<StemPoint> points;
-  for (std::size_t i = 0; i + 1 < trunk.points.size(); i += 3) points.push_back(trunk.points[i]);
+  const std::size_t step = (trunk.points.size() + 1) / 3;
+  for (std::size_t i = 0; i + 1 < trunk.points.size(); i += step) points.push_back(trunk.points[i]);
   points.push_back(trunk.points.back());
   points.front().position.z -= kRootDepth * trunk.length;
   MeshPart bark;
@@ -53,6 +54,8 @@ Vec3 unit_or(const Vec3& v, const Vec3& other) {
   return length > 1e-5F ? v / length : other;
 }
 
+bool has_organs(const SpeciesParams& species) { return species.organ != "none"; }
+
 /// A quad that grows along the site's axis and turns its face to the light: away from the crown's middle and up, more
 /// or less.
 std::array<MeshVertex, 4> leaf_card(const LeafSite& site, const Vec3& middle, const SpeciesParams& species,
@@ -65,7 +68,8 @@ std::array<MeshVertex, 4> leaf_card(const LeafSite& site, const Vec3& middle, co
   const float length = species.leaf_scale * site.scale * (1 + random.spread(0.2F));
   const Vec3 half = side * (0.5F * length * species.leaf_scale_x), up = site.axis * length;
   const float left = random.bits() & 1 ? 0.0F : 1.0F;  // half of the cards show the image mirrored
-  return {MeshVertex{site.foot - half, normal, {left, 1}}, MeshVertex{site.foot + half, normal, {1 - left, 1}},
+  const float low = has_organs(species) ? 1 - kOrganSide : 1;
+  return {MeshVertex{site.foot - half, normal, {left, low}}, MeshVertex{site.foot + half, normal, {1 - left, low}},
           MeshVertex{site.foot + half + up, normal, {1 - left, 0}},
           MeshVertex{site.foot - half + up, normal, {left, 0}}};
 }
@@ -81,6 +85,40 @@ void add_leaves(Plant& plant, const Skeleton& skeleton, const SpeciesParams& spe
   }
 }
 
+/// Two quads across each other, along the site's axis. The picture's upper edge is where it hangs, or a flower's end.
+void add_organ(Plant& plant, const LeafSite& site, const SpeciesParams& species) {
+  const bool fruit = species.organ == "fruit";
+  const Vec3 side = unit_or(glm::cross(site.axis, Vec3(1, 0, 0)), {0, 1, 0});
+  const Vec3 up = site.axis * (species.organ_scale * site.scale);
+  const std::uint32_t first = triangles_of(plant.mesh.leaves);
+  const float near = fruit ? 1 - kOrganSide : 1, far = fruit ? 1 : 1 - kOrganSide;
+  for (const Vec3& across : {side, glm::cross(site.axis, side)}) {
+    const Vec3 half = across * (0.5F * species.organ_scale * site.scale), normal = glm::cross(across, site.axis);
+    add_quad(plant.mesh.leaves,
+             {MeshVertex{site.foot - half, normal, {0, near}}, MeshVertex{site.foot + half, normal, {kOrganSide, near}},
+              MeshVertex{site.foot + half + up, normal, {kOrganSide, far}},
+              MeshVertex{site.foot - half + up, normal, {0, far}}});
+  }
+  plant.terminals.push_back(
+      {{first, triangles_of(plant.mesh.leaves)}, site.stem, fruit ? Organ::fruit : Organ::flower});
+}
+
+std::optional<OrganLook> organ_look(const SpeciesParams& species) {
+  if (!has_organs(species)) return std::nullopt;
+  return OrganLook{species.organ == "fruit" ? Organ::fruit : Organ::flower, species.organ_rgb};
+}
+
+/// Of a plant whose organs come after its leaves.
+MeshPart without_organs(const Plant& plant) {
+  MeshPart leaves = plant.mesh.leaves;
+  for (const Terminal& t : plant.terminals)
+    if (t.organ != Organ::leaf) {
+      leaves.indices.resize(3 * std::size_t{t.triangles.first});
+      break;
+    }
+  return leaves;
+}
+
 Plant plant_of(const Skeleton& skeleton, const SpeciesParams& species, std::uint64_t seed) {
   Plant plant;
   plant.name = species.name;
@@ -90,7 +128,8 @@ Plant plant_of(const Skeleton& skeleton, const SpeciesParams& species, std::uint
     add_branch(plant, stem, points);
   }
   add_leaves(plant, skeleton, species, hash(seed, 2));
-  plant.leaf_image = leaf_image(species.leaf_shape, species.leaf_rgb, hash(seed, 3));
+  for (const LeafSite& site : skeleton.organs) add_organ(plant, site, species);
+  plant.leaf_image = leaf_image(species.leaf_shape, species.leaf_rgb, hash(seed, 3), organ_look(species));
   plant.bark_image = bark_image(species.bark_rgb, hash(seed, 4));
   const PlantSize size = measure(plant.mesh);
   if (!(size.height > 0 && size.radius > 0))
@@ -110,7 +149,8 @@ PlantModel generate_plant(const SpeciesParams& species, std::uint64_t seed) {
   Plant plant = plant_of(skeleton, species, seed);
   const PlantSize size = measure(plant.mesh);
   PlantMesh coarse{coarse_bark_of(skeleton), {}};
-  coarse.leaves = few_cards(plant.mesh, coarse.bark, {plant.leaf_image, size}, kCoarseCards);
+  coarse.leaves =
+      few_cards({plant.mesh.bark, without_organs(plant)}, coarse.bark, {plant.leaf_image, size}, kCoarseCards);
   CrownLight(plant.mesh.leaves).apply(coarse);
   take_light(coarse.leaves, plant.mesh.leaves);
   PlantModel model{plant.name, size.height, size.radius, std::move(plant.leaf_image), std::move(plant.bark_image), {}};

@@ -31,12 +31,16 @@ struct SpeciesParams {
   int leaves = 20;                               ///< cards on a stem of the last level
   float leaf_scale = 0.5F, leaf_scale_x = 0.8F;  ///< length of a card in metres, width over length
   float attraction_up = 0;
-  std::string leaf_shape = "oval";  ///< oval, needle, round: what the leaf image shows
+  std::string leaf_shape = "oval";  ///< what the leaf image shows: leaf_image.h lists them
   std::uint32_t leaf_rgb = 0x4f7a35, bark_rgb = 0x6b5a48;
+  std::string organ = "none";  ///< none, flower, fruit
+  int organs = 0;              ///< on a stem of the last level, on average
+  float organ_scale = 0.1F;    ///< metres across
+  std::uint32_t organ_rgb = 0xb03030;
 };
 
-/// A branch for each stem, a terminal for each leaf card; shaded, and normals bent outward. Otherwise as
-/// generate_plant().
+/// A branch for each stem, a terminal for each leaf card, flower and fruit, leaves first; shaded, and normals bent
+/// outward. Otherwise as generate_plant().
 Plant grow_plant(const SpeciesParams& species, std::uint64_t seed);
 
 /// Two levels, a few thousand triangles and under a hundred; the same for a seed on every machine (counter hash).

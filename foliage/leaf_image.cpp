@@ -14,28 +14,28 @@ constexpr int kSub = 3;  // samples a texel, along a side
 constexpr int kFine = kPlantImageSize * kSub;
 constexpr float kPi = 3.14159265F;
 
-Vec3 colour_of(std::uint32_t rgb) {
-  return {linear_of_srgb(static_cast<std::uint8_t>(rgb >> 16)), linear_of_srgb(static_cast<std::uint8_t>(rgb >> 8)),
-          linear_of_srgb(static_cast<std::uint8_t>(rgb))};
-}
-
 struct Texel {
   Vec3 colour{0};
   float alpha = 0;
 };
 
-/// The picture while it is drawn: x to the right, y up, both in [0, 1]; linear light.
+/// The picture while it is drawn: x to the right, y up, both in [0, 1] over a window of it; linear light.
 struct Canvas {
+  Vec2 low{0}, high{1};  // the window
   std::vector<Texel> texels = std::vector<Texel>(static_cast<std::size_t>(kFine) * kFine);
 
-  /// Paints where paint(p, colour) is true, within a box about `middle`. The border stays free, so that clamping and
-  /// mipmaps show no edge.
+  /// Paints where paint(p, colour) is true, within a box about `middle`. The window's border stays free, so that
+  /// clamping and mipmaps show no edge.
   template <class Paint>
   void fill(Vec2 middle, float reach, Paint&& paint) {
-    const auto first = [](float v) { return std::clamp(static_cast<int>(v * kFine), 2 * kSub, kFine - 2 * kSub); };
-    for (int y = first(middle.y - reach); y < first(middle.y + reach); ++y) {
-      for (int x = first(middle.x - reach); x < first(middle.x + reach); ++x) {
-        const Vec2 p((static_cast<float>(x) + 0.5F) / kFine, (static_cast<float>(y) + 0.5F) / kFine);
+    const auto first = [&](int axis, float v) {
+      const auto at = [&](float w) { return static_cast<int>((low[axis] + w * (high[axis] - low[axis])) * kFine); };
+      return std::clamp(at(v), at(0) + 2 * kSub, at(1) - 2 * kSub);
+    };
+    for (int y = first(1, middle.y - reach); y < first(1, middle.y + reach); ++y) {
+      for (int x = first(0, middle.x - reach); x < first(0, middle.x + reach); ++x) {
+        const Vec2 at((static_cast<float>(x) + 0.5F) / kFine, (static_cast<float>(y) + 0.5F) / kFine);
+        const Vec2 p = (at - low) / (high - low);
         Texel& texel = texels[static_cast<std::size_t>(kFine - 1 - y) * kFine + static_cast<std::size_t>(x)];
         if (paint(p, texel.colour)) texel.alpha = 1;
       }
@@ -45,14 +45,17 @@ struct Canvas {
 
 /// A leaf's blade in its own axes: s from foot 0 to tip 1, t across, in units of its length.
 struct Blade {
-  float width;    // widest, over length
-  float fullest;  // where along the leaf
+  float width;      // widest, over length
+  float fullest;    // where along the leaf
+  float lobes = 0;  // on each side
+  float depth = 0;  // of the bays between them, over the half width
 };
 
 float half_width(const Blade& blade, float s) {
   if (s <= 0 || s >= 1) return 0;
   const float power = std::log(0.5F) / std::log(blade.fullest);
-  return 0.5F * blade.width * std::pow(std::sin(kPi * std::pow(s, power)), 0.75F);
+  const float bays = 0.5F * blade.depth * (1 + std::cos(2 * kPi * blade.lobes * s));
+  return 0.5F * blade.width * std::pow(std::sin(kPi * std::pow(s, power)), 0.75F) * (1 - bays);
 }
 
 void draw_leaf(Canvas& canvas, Vec2 foot, float angle, float length, const Blade& blade, const Vec3& colour) {
@@ -155,6 +158,78 @@ void draw_conifer(Canvas& canvas, const Vec3& colour, Random& random) {
   draw_needles(canvas, {0.5F, 0.0F}, {0.5F, 0.9F}, 0.066F, 90, colour, random);
 }
 
+/// Long twigs side by side, each with narrow leaves that point along it.
+void draw_lances(Canvas& canvas, const Vec3& colour, Random& random) {
+  constexpr int kTwigs = 6, kLeaves = 17;
+  for (int i = 0; i < kTwigs; ++i) {
+    const float lean = (static_cast<float>(i) - 0.5F * (kTwigs - 1)) * 0.11F;
+    const float length = 0.92F - 0.5F * std::abs(lean) + random.spread(0.06F);
+    const Vec2 foot(0.5F + 0.5F * lean, 0), tip = foot + heading(lean) * length * Vec2(1.4F, 0.95F);
+    draw_line(canvas, foot, tip, 0.007F, kTwig);
+    for (int k = 1; k <= kLeaves; ++k) {
+      const float at = (static_cast<float>(k) + random.spread(0.3F)) / (kLeaves + 0.5F);
+      const float turn = (k % 2 == 0 ? 0.5F : -0.5F) + random.spread(0.25F);
+      draw_leaf(canvas, glm::mix(foot, tip, at), lean + turn, 0.13F + random.spread(0.02F), {0.21F, 0.42F},
+                varied(colour, static_cast<float>(k) / kLeaves, random));
+    }
+  }
+}
+
+/// Bunches of long needles at the ends of side twigs.
+void draw_tufts(Canvas& canvas, const Vec3& colour, Random& random) {
+  constexpr int kTufts = 13, kNeedles = 60;
+  draw_line(canvas, {0.5F, 0.0F}, {0.5F, 0.75F}, 0.018F, kTwig);
+  for (int i = 0; i < kTufts; ++i) {
+    const float along = static_cast<float>(i) / (kTufts - 1);
+    const float angle = i + 1 == kTufts ? 0 : (i % 2 == 0 ? 1.0F : -1.0F) * (1.1F - 0.6F * along);
+    const Vec2 foot(0.5F, 0.1F + 0.62F * along), middle = foot + heading(angle) * (0.3F * (1 - 0.6F * along));
+    draw_line(canvas, foot, middle, 0.012F, kTwig);
+    for (int k = 0; k < kNeedles; ++k) {
+      const float turn = angle + random.spread(2.0F);
+      const float length = 0.17F * (0.8F + random.spread(0.2F));
+      draw_line(canvas, middle - heading(angle) * (0.05F * random.uniform()), middle + heading(turn) * length, 0.0115F,
+                varied(colour, 0.2F + 0.7F * random.uniform(), random));
+    }
+  }
+}
+
+/// A piece of a feather leaf: leaflets on both sides of a rib, from edge to edge.
+void draw_frond(Canvas& canvas, const Vec3& colour, Random& random) {
+  constexpr int kLeaflets = 26;
+  for (int i = 0; i < kLeaflets; ++i) {
+    const float along = (static_cast<float>(i) + 0.5F) / kLeaflets;
+    const float angle = (i % 2 == 0 ? 1.0F : -1.0F) * (0.95F - 0.3F * along + random.spread(0.08F));
+    draw_leaf(canvas, {0.5F, 0.78F * along}, angle, 0.5F - 0.14F * along + random.spread(0.03F), {0.13F, 0.35F},
+              varied(colour, 0.3F + 0.6F * random.uniform(), random));
+  }
+  draw_line(canvas, {0.5F, 0.0F}, {0.5F, 0.95F}, 0.016F, linear_of_rgb(0x9a9a58));
+}
+
+/// A ball, lighter above.
+void draw_fruit(Canvas& canvas, const Vec3& colour) {
+  constexpr Vec2 kMiddle(0.5F, 0.46F);
+  draw_line(canvas, {0.5F, 0.8F}, {0.53F, 0.97F}, 0.05F, kTwig);
+  canvas.fill(kMiddle, 0.44F, [&](const Vec2& p, Vec3& out) {
+    const Vec2 d = (p - kMiddle) / 0.42F;
+    const float r2 = glm::dot(d, d);
+    if (r2 > 1) return false;
+    out = colour * (0.55F + 0.6F * std::max(0.0F, std::sqrt(1 - r2) * 0.6F + 0.5F * d.y));
+    return true;
+  });
+}
+
+/// Five petals round a yellow middle.
+void draw_flower(Canvas& canvas, const Vec3& colour) {
+  constexpr Vec2 kMiddle(0.5F, 0.5F);
+  canvas.fill(kMiddle, 0.48F, [&](const Vec2& p, Vec3& out) {
+    const Vec2 d = (p - kMiddle) / 0.46F;
+    const float r = glm::length(d), petal = std::abs(std::cos(2.5F * std::atan2(d.x, d.y)));
+    if (r > 0.35F + 0.65F * petal) return false;
+    out = r < 0.22F ? linear_of_rgb(0xd8b23a) : colour * (0.8F + 0.25F * r);
+    return true;
+  });
+}
+
 /// Mean over the samples of each texel: colours weighted by alpha.
 Image reduced(const Canvas& canvas) {
   Image image{kPlantImageSize, std::vector<std::uint8_t>(std::size_t{4} * kPlantImageSize * kPlantImageSize)};
@@ -177,96 +252,39 @@ Image reduced(const Canvas& canvas) {
   return image;
 }
 
-/// Value noise that repeats after `period_x` and `period_y` cells; [0, 1].
-float noise(float x, float y, int period_x, int period_y, std::uint64_t seed) {
-  const auto ix = static_cast<int>(std::floor(x)), iy = static_cast<int>(std::floor(y));
-  const auto corner = [&](int dx, int dy) {
-    const int cx = (ix + dx) % period_x, cy = (iy + dy) % period_y;
-    return Random(hash(seed, static_cast<std::uint64_t>(cy) * 4096 + static_cast<std::uint64_t>(cx))).uniform();
-  };
-  const auto smooth = [](float f) { return f * f * (3 - 2 * f); };
-  const float fx = smooth(x - std::floor(x)), fy = smooth(y - std::floor(y));
-  return glm::mix(glm::mix(corner(0, 0), corner(1, 0), fx), glm::mix(corner(0, 1), corner(1, 1), fx), fy);
-}
-
-/// Height of the bark in [0, 1]: ridges along y with cracks between them, and a fine grain.
-float bark_height(float u, float v, std::uint64_t seed) {
-  const float bend = noise(u * 6, v * 4, 6, 4, hash(seed, 9)) - 0.5F;
-  float x = u * 14 + 2.2F * bend;
-  x -= 14 * std::floor(x / 14);
-  const float ridge = 1 - std::abs(2 * noise(x, v * 5, 14, 5, seed) - 1);
-  const float cracks = 1 - std::abs(2 * noise(u * 10, v * 12, 10, 12, hash(seed, 3)) - 1);
-  const float grain = noise(u * 64, v * 40, 64, 40, hash(seed, 5));
-  return std::clamp(0.55F * ridge + 0.25F * cracks + 0.2F * grain, 0.0F, 1.0F);
-}
-
 }  // namespace
 
-float linear_of_srgb(std::uint8_t value) {  // IEC 61966-2-1
-  const float v = static_cast<float>(value) / 255;
-  return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
-}
-
-std::uint8_t srgb_of_linear(float value) {
-  const float v = std::clamp(value, 0.0F, 1.0F);
-  const float s = v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
-  return static_cast<std::uint8_t>(std::lround(s * 255));
-}
-
-void dilate_colour(Image& image) {
-  const int n = image.size;
-  std::vector<std::uint32_t> queue;  // breadth first from the texels that have a colour
-  std::vector<bool> known(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), false);
-  for (std::uint32_t i = 0; i < known.size(); ++i) {
-    if (image.rgba[4 * std::size_t{i} + 3] == 0) continue;
-    known[i] = true;
-    queue.push_back(i);
-  }
-  if (queue.empty()) {
-    for (std::size_t i = 0; i < image.rgba.size(); ++i) image.rgba[i] = i % 4 == 3 ? 0 : 128;
-    return;
-  }
-  for (std::size_t head = 0; head < queue.size(); ++head) {
-    const int x = static_cast<int>(queue[head]) % n, y = static_cast<int>(queue[head]) / n;
-    for (const auto& [dx, dy] : {std::pair{1, 0}, std::pair{-1, 0}, std::pair{0, 1}, std::pair{0, -1}}) {
-      if (x + dx < 0 || x + dx >= n || y + dy < 0 || y + dy >= n) continue;
-      const auto next = static_cast<std::uint32_t>((y + dy) * n + x + dx);
-      if (known[next]) continue;
-      known[next] = true;
-      std::copy_n(&image.rgba[4 * std::size_t{queue[head]}], 3, &image.rgba[4 * std::size_t{next}]);
-      queue.push_back(next);
-    }
-  }
-}
-
-Image leaf_image(const std::string& shape, std::uint32_t rgb, std::uint64_t seed) {
+Image leaf_image(const std::string& shape, std::uint32_t rgb, std::uint64_t seed,
+                 const std::optional<OrganLook>& organ) {
   Canvas canvas;
   Random random(seed);
-  const Vec3 colour = colour_of(rgb);
+  if (organ) canvas.low.y = kOrganSide;
+  const Vec3 colour = linear_of_rgb(rgb);
   if (shape == "oval")
     draw_broadleaf(canvas, {12, 6, 0.135F, {0.56F, 0.45F}}, colour, random);
   else if (shape == "round")
     draw_broadleaf(canvas, {11, 6, 0.12F, {0.95F, 0.5F}}, colour, random);
+  else if (shape == "lobed")
+    draw_broadleaf(canvas, {11, 5, 0.2F, {0.74F, 0.58F, 4, 0.4F}}, colour, random);
+  else if (shape == "heart")
+    draw_broadleaf(canvas, {9, 5, 0.15F, {0.92F, 0.33F}}, colour, random);
+  else if (shape == "lance")
+    draw_lances(canvas, colour, random);
   else if (shape == "needle")
     draw_conifer(canvas, colour, random);
+  else if (shape == "tuft")
+    draw_tufts(canvas, colour, random);
+  else if (shape == "frond")
+    draw_frond(canvas, colour, random);
   else
-    throw std::invalid_argument("leaf_shape \"" + shape + "\" is none of oval, needle, round");
-  return reduced(canvas);
-}
-
-Image bark_image(std::uint32_t rgb, std::uint64_t seed) {
-  const Vec3 colour = colour_of(rgb);
-  Image image{kPlantImageSize, std::vector<std::uint8_t>(std::size_t{4} * kPlantImageSize * kPlantImageSize, 255)};
-  std::uint8_t* texel = image.rgba.data();
-  for (int y = 0; y < kPlantImageSize; ++y) {
-    for (int x = 0; x < kPlantImageSize; ++x) {
-      const float u = static_cast<float>(x) / kPlantImageSize, v = static_cast<float>(y) / kPlantImageSize;
-      const float light = 0.45F + 1.0F * bark_height(u, v, seed);
-      for (int c = 0; c < 3; ++c) texel[c] = srgb_of_linear(colour[c] * light);
-      texel += 4;
-    }
+    throw std::invalid_argument("leaf_shape \"" + shape +
+                                "\" is none of oval, round, lobed, heart, lance, needle, tuft, frond");
+  if (organ) {
+    canvas.low = Vec2(0), canvas.high = Vec2(kOrganSide);
+    organ->organ == Organ::flower ? draw_flower(canvas, linear_of_rgb(organ->rgb))
+                                  : draw_fruit(canvas, linear_of_rgb(organ->rgb));
   }
-  return image;
+  return reduced(canvas);
 }
 
 }  // namespace manzana::foliage

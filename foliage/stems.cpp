@@ -91,11 +91,11 @@ class Grower {
     if (bud.level + 1 < species_.levels)
       add_branches(bud, stem, random, todo);
     else
-      add_leaves(bud, stem, random);
+      add_leaves(bud, stem, random), add_organs(bud, stem, random);
     if (bud.level + 1 < species_.levels && bud.level == 0) out_.leaves.push_back(terminal(stem, 0.6F));
     out_.stems.push_back(stem);
     vertices_ += stem_vertices(stem);
-    if (vertices_ + 4 * out_.leaves.size() + 4 * todo.size() > kMaxPlantVertices)
+    if (vertices_ + 4 * out_.leaves.size() + 8 * out_.organs.size() + 4 * todo.size() > kMaxPlantVertices)
       throw std::invalid_argument("species " + species_.name + ": more than " + std::to_string(kMaxPlantVertices) +
                                   " vertices");
   }
@@ -284,6 +284,19 @@ class Grower {
     if (count > 0) out_.leaves.push_back(terminal(stem, scale));
   }
 
+  /// Flowers look where their stem goes, fruit hangs.
+  void add_organs(const Bud& bud, const Stem& stem, Random& random) {
+    const bool hangs = species_.organ == "fruit";
+    const float start = start_of(bud, params(bud.level));
+    for (int i = 0; i < 2 * species_.organs; ++i) {
+      const float offset = (0.2F + 0.8F * random.uniform()) * bud.length;
+      if (random.uniform() < 0.5F || offset < start) continue;
+      const StemPoint at = point_at(bud, stem, offset);
+      out_.organs.push_back(
+          {at.position, hangs ? Vec3(0, 0, -1) : at.frame[2], 0.85F + 0.3F * random.uniform(), row()});
+    }
+  }
+
   const SpeciesParams& species_;
   std::uint64_t seed_;
   float scale_ = 0;
@@ -324,6 +337,10 @@ void check(const SpeciesParams& species) {
   require(within(species.leaves, 0, 10'000), species, "leaves is within 0 .. 10000");
   require(within(species.leaf_scale, 0, 100) && within(species.leaf_scale_x, 0, 100), species,
           "leaf_scale and leaf_scale_x are within 0 .. 100");
+  require(species.organ == "none" || species.organ == "flower" || species.organ == "fruit", species,
+          "organ is none of none, flower, fruit");
+  require(within(species.organs, 0, 1000) && within(species.organ_scale, 0, 100), species,
+          "organs is within 0 .. 1000, organ_scale within 0 .. 100");
   require(within(species.attraction_up, -10, 10), species, "attraction_up is within -10 .. 10");
   for (std::size_t level = 0; level < species.stems.size(); ++level) check_stem(species, level);
 }

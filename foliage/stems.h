@@ -21,7 +21,7 @@ struct Stem {
   std::vector<StemPoint> points;  ///< at least two
 };
 
-/// A leaf card's foot, the direction it grows to, and its size: cards of short stems are smaller.
+/// A leaf card's foot, the direction it grows to, and its size: cards of short stems are smaller. Likewise an organ's.
 struct LeafSite {
   Vec3 foot, axis;
   float scale = 1;
@@ -31,6 +31,7 @@ struct LeafSite {
 struct Skeleton {
   std::vector<Stem> stems;  ///< a parent precedes its children
   std::vector<LeafSite> leaves;
+  std::vector<LeafSite> organs;  ///< flowers or fruit
 };
 
 inline constexpr std::size_t kMaxPlantVertices = 1'000'000;

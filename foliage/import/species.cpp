@@ -1,5 +1,6 @@
 #include "foliage/import/species.h"
 
+#include <algorithm>
 #include <cassert>
 #include <stdexcept>
 
@@ -8,6 +9,11 @@
 
 namespace manzana::foliage {
 namespace {
+
+constexpr std::array<std::string_view, kSpeciesNames.size()> kPresets{
+    presets::broadleaf_json, presets::conifer_json, presets::shrub_json, presets::oak_json,
+    presets::birch_json,     presets::poplar_json,  presets::pine_json,  presets::willow_json,
+    presets::lime_json,      presets::palm_json,    presets::apple_json};  // as kSpeciesNames
 
 void read_stem(const Json& json, const std::string& where, StemParams& stem) {
   Members members(json, where);
@@ -30,6 +36,8 @@ SpeciesParams read_species(const Json& json) {
   members.take("leaf_scale", species.leaf_scale).take("leaf_scale_x", species.leaf_scale_x);
   members.take("attraction_up", species.attraction_up).take("leaf_shape", species.leaf_shape);
   members.take("leaf_rgb", species.leaf_rgb).take("bark_rgb", species.bark_rgb);
+  members.take("organ", species.organ).take("organs", species.organs).take("organ_scale", species.organ_scale);
+  members.take("organ_rgb", species.organ_rgb);
   if (const Json* stems = members.array("stems")) {
     if (stems->size() > species.stems.size()) fail_at("stems", "has more than 4 levels");
     for (std::size_t i = 0; i < stems->size(); ++i)
@@ -50,10 +58,9 @@ SpeciesParams parse_species(std::string_view json) {
 }
 
 SpeciesParams builtin_species(std::string_view name) {
-  if (name == "broadleaf") return parse_species(presets::broadleaf_json);
-  if (name == "conifer") return parse_species(presets::conifer_json);
-  assert(name == "shrub");
-  return parse_species(presets::shrub_json);
+  const auto found = std::find(kSpeciesNames.begin(), kSpeciesNames.end(), name);
+  assert(found != kSpeciesNames.end());
+  return parse_species(kPresets[static_cast<std::size_t>(found - kSpeciesNames.begin())]);
 }
 
 }  // namespace manzana::foliage

@@ -1,13 +1,18 @@
 #pragma once
-/// Species presets: JSON with the names of SpeciesParams. Three are built in: broadleaf, conifer, shrub (data/species).
+/// Species presets: JSON with the names of SpeciesParams. Those of data/species are built in.
+#include <array>
 #include <string_view>
 
 #include "foliage/generate.h"
 
 namespace manzana::foliage {
 
+/// The first three stand for all trees and shrubs of which no more is known.
+inline constexpr std::array<std::string_view, 11> kSpeciesNames{
+    "broadleaf", "conifer", "shrub", "oak", "birch", "poplar", "pine", "willow", "lime", "palm", "apple"};
+
 /// Throws std::runtime_error naming the place (key) of what is wrong.
 SpeciesParams parse_species(std::string_view json);
-SpeciesParams builtin_species(std::string_view name);  ///< asserts that it exists
+SpeciesParams builtin_species(std::string_view name);  ///< asserts that it is one of them
 
 }  // namespace manzana::foliage

@@ -117,7 +117,7 @@ TEST_CASE("triangles of real trees without names and ids are told by shape") {
 }
 
 TEST_CASE("triangles of grown trees without names are told by shape") {
-  for (const char* name : {"broadleaf", "conifer", "shrub"}) {
+  for (const std::string_view name : kSpeciesNames) {
     for (const std::uint64_t seed : {1, 2}) {
       const double right = share_right(shuffled(soup_of(grow_plant(builtin_species(name), seed)), false));
       INFO(name << " seed " << seed << ": " << right);

@@ -17,7 +17,7 @@ int difference(const std::uint8_t* a, const std::uint8_t* b) {
 }  // namespace
 
 TEST_CASE("leaf images show leaves, green also where they are transparent, with a free border") {
-  for (const char* shape : {"oval", "needle", "round"}) {
+  for (const char* shape : {"oval", "round", "lobed", "heart", "lance", "needle", "tuft", "frond"}) {
     INFO(shape);
     const Image image = leaf_image(shape, 0x4f7a35, 7);
     REQUIRE(image.size == 256);

@@ -63,6 +63,7 @@ inline void check_plant(const PlantModel& model) {
 
 /// What foliage/plant.h promises of rows and runs.
 inline void check_runs(const Plant& plant) {
+  CHECK_NOTHROW(check(plant));
   bool parents = true, lines = true, bark = true, leaves = true, finite = true;
   std::uint32_t line = 0, triangle = 0;
   for (std::size_t i = 0; i < plant.branches.size(); ++i) {

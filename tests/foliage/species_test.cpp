@@ -6,7 +6,7 @@
 using namespace manzana::foliage;
 
 TEST_CASE("presets are read whole") {
-  for (const char* name : {"broadleaf", "conifer", "shrub"}) CHECK(builtin_species(name).name == name);
+  for (const std::string_view name : kSpeciesNames) CHECK(builtin_species(name).name == name);
   const SpeciesParams conifer = builtin_species("conifer");
   CHECK(conifer.levels == 2);
   CHECK(conifer.stems[1].branches == 96);
