@@ -1,0 +1,171 @@
+#include "foliage/detail.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace manzana::foliage {
+namespace {
+
+/// What the laws ask of a plant.
+struct Measures {
+  double quad = 0;        ///< side of a mean leaf quad, metres
+  double point_area = 0;  ///< of all points, m2
+};
+
+double quad_area(const PlantQuad& quad) {
+  const auto corner = [&](std::size_t i) { return quad.corners[i].position; };
+  const auto triangle = [](const Vec3& a, const Vec3& b, const Vec3& c) {
+    return glm::length(glm::cross(b - a, c - a)) / 2;
+  };
+  return static_cast<double>(triangle(corner(0), corner(1), corner(2)) + triangle(corner(0), corner(2), corner(3)));
+}
+
+Measures measure(const PreparedPlant& plant) {
+  Measures m;
+  for (const PlantQuad& quad : plant.leaves) m.quad += quad_area(quad);
+  if (!plant.leaves.empty()) m.quad = std::sqrt(m.quad / static_cast<double>(plant.leaves.size()));
+  if (!plant.point_levels.empty()) m.point_area = static_cast<double>(plant.point_levels.front().area);
+  return m;
+}
+
+/// The share at which leaves scaled by s cover what all of them did: leaf_scale read backwards, linear in log u.
+double share_for_scale(const std::array<float, 17>& scale, double s) {
+  if (s <= 1) return 1;
+  for (std::size_t i = 0; i + 1 < scale.size(); ++i) {
+    const auto a = static_cast<double>(scale[i]), b = static_cast<double>(scale[i + 1]);
+    if (s < b) return std::exp2(-0.5 * (static_cast<double>(i) + (b > a ? std::max(0.0, s - a) / (b - a) : 0)));
+  }
+  return std::exp2(-8);
+}
+
+double scale_for_share(const std::array<float, 17>& scale, double u) {
+  const double at = std::clamp(-2 * std::log2(std::max(u, 1e-9)), 0.0, 16.0);
+  const auto i = std::min<std::size_t>(static_cast<std::size_t>(at), 15);
+  return std::lerp(static_cast<double>(scale[i]), static_cast<double>(scale[i + 1]), at - static_cast<double>(i));
+}
+
+/// Leaves that shrink away at the boundary cover less by half their share, so as many more are shown.
+void set_leaves(Detail& d, double share, double scale) {
+  constexpr double kFade = 0.3;
+  const double fade = kFade * std::min(1.0, 4 * (1 - share));
+  d.share = static_cast<float>(std::min(1.0, share / (1 - fade / 2)));
+  d.scale = static_cast<float>(scale);
+  d.fade = static_cast<float>(fade);
+}
+
+/// [Deussen 2005, equation 10.5] as many points as cover the leaves' area once, each as large as their spacing d'.
+void set_points(Detail& d, const PreparedPlant& plant, double area_px, double spacing_px) {
+  if (plant.point_levels.empty()) return;
+  const auto size = [&](std::size_t level) { return static_cast<double>(plant.point_levels[level].points.size()); };
+  const double p = std::clamp(area_px / (spacing_px * spacing_px), 0.0, size(0));
+  std::size_t level = 0;
+  while (level + 1 < plant.point_levels.size() && p <= size(level + 1)) ++level;
+  const bool last = level + 1 == plant.point_levels.size();
+  const double x = last ? 0 : std::clamp((size(level) - p) / (size(level) - size(level + 1)), 0.0, 1.0);
+  d.points = static_cast<float>(p);
+  d.point_level = static_cast<float>(static_cast<double>(level) + x);
+  d.point_gain = p > 0 ? static_cast<float>(1 / p) : 0.0F;
+}
+
+/// Branches thinner than a fraction of a pixel are not worth a line; meshes give way to lines where those are thin.
+void set_branches(Detail& d, const PreparedPlant& plant, double metres_per_px) {
+  constexpr double kThinnestPx = 0.15, kLinePx = 1.25;
+  std::size_t lines = plant.lines.size();
+  const auto thin = [&](const LineSegment& line) {
+    return 2 * static_cast<double>(std::max(line.radius_a, line.radius_b)) < kThinnestPx * metres_per_px;
+  };
+  while (lines > 0 && thin(plant.lines[lines - 1])) --lines;
+  d.lines = static_cast<float>(lines);
+  std::size_t level = 0;
+  while (level + 1 < plant.branch_levels.size() &&
+         static_cast<double>(plant.branch_levels[level + 1].error_m) <= kLinePx * metres_per_px)
+    ++level;
+  d.bark = static_cast<float>(level);
+}
+
+void show_all(Detail& d, const PreparedPlant& plant) {
+  set_leaves(d, 1, 1);
+  d.lines = static_cast<float>(plant.lines.size());
+}
+
+// Leaf quads of at least this many times the error; points from there to the other.
+constexpr double kQuadPx = 1.5, kPointPx = 0.75;
+
+void show_ours(Detail& d, const PreparedPlant& plant, const Measures& m, double metres_per_px, double error_px) {
+  const double error_m = error_px * metres_per_px;
+  const double scale = std::max(1.0, kPointPx * error_m / m.quad);
+  set_leaves(d, share_for_scale(plant.leaf_scale, scale), scale);
+  set_points(d, plant, m.point_area / (metres_per_px * metres_per_px), error_px);
+  if (!plant.point_levels.empty() && m.quad > 0)
+    d.to_points = static_cast<float>(std::clamp((kQuadPx - m.quad / error_m) / (kQuadPx - kPointPx), 0.0, 1.0));
+  set_branches(d, plant, error_m);
+}
+
+/// z = 1 where a leaf quad is as large as the error; h = sqrt 2, a constant number of leaves a pixel.
+void show_pruned(Detail& d, const PreparedPlant& plant, const Measures& m, double metres_per_px, double error_px) {
+  const double z = m.quad > 0 ? error_px * metres_per_px / m.quad : 1;
+  const double u = z <= 1 ? 1 : 1 / (z * z);
+  set_leaves(d, u, scale_for_share(plant.leaf_scale, u));
+  d.lines = static_cast<float>(plant.lines.size());
+}
+
+Detail detail_of(const PreparedPlant& plant, const Measures& m, double distance, const DetailOptions& options) {
+  Detail d{};
+  const double metres_per_px = distance / options.focal_px;
+  switch (options.law) {
+    case Law::full:
+      show_all(d, plant);
+      break;
+    case Law::ours:
+      show_ours(d, plant, m, metres_per_px, options.error_px);
+      break;
+    case Law::prune:
+      show_pruned(d, plant, m, metres_per_px, options.error_px);
+      break;
+  }
+  return d;
+}
+
+/// Row i of the table stands for this distance: four rows an octave of its square, linear in between.
+double distance_of(std::uint32_t row) {
+  return std::sqrt(std::ldexp(1 + 0.25 * (row % 4), static_cast<int>(row / 4) - 8));
+}
+
+bool positive(double x) { return x > 0 && std::isfinite(x); }
+
+}  // namespace
+
+Law law_named(std::string_view name) {
+  for (const Law law : {Law::full, Law::ours, Law::prune})
+    if (name == name_of(law)) return law;
+  throw std::invalid_argument("no law of detail is named \"" + std::string(name) + "\": full, ours or gumbau");
+}
+
+const char* name_of(Law law) {
+  switch (law) {
+    case Law::full:
+      return "full";
+    case Law::ours:
+      return "ours";
+    case Law::prune:
+      return "gumbau";
+  }
+  return "";
+}
+
+std::vector<Detail> make_details(std::span<const PreparedPlant> plants, const DetailOptions& options) {
+  if (!positive(options.focal_px) || !positive(options.error_px))
+    throw std::invalid_argument("focal length and error in pixels must be positive");
+  std::vector<Detail> details;
+  details.reserve(plants.size() * glsl::kDetailSteps);
+  for (const PreparedPlant& plant : plants) {
+    const Measures m = measure(plant);
+    for (std::uint32_t row = 0; row < glsl::kDetailSteps; ++row)
+      details.push_back(detail_of(plant, m, distance_of(row), options));
+  }
+  return details;
+}
+
+}  // namespace manzana::foliage

@@ -1,0 +1,122 @@
+#include "foliage/select.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+
+#include "foliage/random.h"
+
+namespace manzana::foliage {
+namespace glsl {
+namespace {
+
+using std::max;
+using std::min;
+inline uint floatBitsToUint(float x) { return std::bit_cast<uint>(x); }
+
+/// The arrays that the shader's functions read, under the shader's names; and the functions themselves.
+struct Twin {
+  std::span<const TreeSite> sites;
+  std::span<const vec4> block_rows;
+  std::span<const PlantHead> plants;
+  std::span<const CellHead> cells;
+  std::span<const Detail> details;
+  std::span<const uint> views;
+#define precise
+#include "foliage/shaders/select.glsl"
+#undef precise
+};
+
+}  // namespace
+}  // namespace glsl
+
+namespace {
+
+template <class T>
+void fill_levels(const std::vector<T>& levels, const char* what, glm::uvec4* out, glm::uvec4 (*row)(const T&)) {
+  if (levels.size() > glsl::kMostLevels) throw std::invalid_argument(std::string("too many levels of ") + what);
+  std::transform(levels.begin(), levels.end(), out, row);
+}
+
+}  // namespace
+
+PlantTable make_plant_table(std::span<const PreparedPlant> plants) {
+  PlantTable table;
+  std::uint32_t quads = 0, lines = 0, points = 0;
+  for (const PreparedPlant& plant : plants) {
+    PlantHead& head = table.plants.emplace_back();
+    head.first_quad = quads;
+    head.first_line = lines;
+    head.first_point = points;
+    head.first_cell = static_cast<std::uint32_t>(table.cells.size());
+    head.cells = static_cast<std::uint32_t>(plant.cells.size());
+    head.lines = static_cast<std::uint32_t>(plant.lines.size());
+    head.bark_levels = static_cast<std::uint32_t>(plant.branch_levels.size());
+    head.point_levels = static_cast<std::uint32_t>(plant.point_levels.size());
+    head.first_view = static_cast<std::uint32_t>(table.views.size()) * 4;
+    head.view_side = plant.visibility.side;
+    head.middle = plant.height_m / 2;
+    fill_levels<BranchLevel>(plant.branch_levels, "branches", head.bark, [](const BranchLevel& l) {
+      return glm::uvec4(l.quads.first, l.quads.size(), l.first_line, 0);
+    });
+    fill_levels<PointLevel>(plant.point_levels, "points", head.points,
+                            [](const PointLevel& l) { return glm::uvec4(l.points.first, l.points.size(), 0, 0); });
+    const auto bark = static_cast<std::uint32_t>(plant.bark.size());
+    for (const LeafCell& cell : plant.cells)
+      table.cells.push_back({cell.centre, bark + cell.quads.first, cell.quads.size(), 0, 0, 0});
+    for (std::size_t i = 0; i < plant.visibility.share.size(); i += 4) {
+      std::uint32_t word = 0;
+      for (std::size_t j = i; j < std::min(i + 4, plant.visibility.share.size()); ++j)
+        word |= std::uint32_t{plant.visibility.share[j]} << (8 * (j - i));
+      table.views.push_back(word);
+    }
+    quads += bark + static_cast<std::uint32_t>(plant.leaves.size());
+    lines += head.lines;
+    points += static_cast<std::uint32_t>(plant.points.size());
+  }
+  return table;
+}
+
+TreeSite make_site(const PreparedPlant& plant, std::uint32_t index, float height_m, float crown_radius_m, float yaw,
+                   std::uint64_t id) {
+  constexpr float kJitter = 0.12F;  // of the distance at which detail changes, to either side
+  TreeSite site{};
+  site.radius = crown_radius_m / plant.crown_radius_m;
+  site.height = height_m / plant.height_m;
+  site.turn = {std::cos(yaw), std::sin(yaw)};
+  site.plant = index;
+  const std::uint64_t bits = hash(id);
+  site.hash = static_cast<std::uint32_t>(bits);
+  const float jitter = 1 + kJitter * (static_cast<float>(bits >> 40) * 0x1p-23F - 1),
+              scale = std::max(site.radius, site.height);
+  site.inv_scale2 = jitter * jitter / (scale * scale);
+  return site;
+}
+
+void select(const PlantTable& table, std::span<const TreeSite> sites, std::span<const Vec4> rows,
+            std::span<const Run> runs, Selection& selection) {
+  glsl::Twin twin{sites, rows, table.plants, table.cells, table.details, table.views};
+  selection.trees.clear();
+  selection.items.clear();
+  selection.item_first.assign(1, 0);
+  for (const Run& run : runs) {
+    for (std::uint32_t i = run.first; i < run.last; ++i) {
+      const auto record = static_cast<std::uint32_t>(selection.trees.size());
+      const TreeRecord& tree = selection.trees.emplace_back(twin.place_tree(i));
+      const std::uint32_t items = twin.items_of(tree);
+      for (std::uint32_t slot = 0; slot < items; ++slot)
+        selection.items.push_back(twin.choose_item(tree, record, slot));
+      selection.item_first.push_back(static_cast<std::uint32_t>(selection.items.size()));
+    }
+  }
+}
+
+Shown count_shown(const Selection& selection) {
+  Shown shown;
+  const std::array<std::uint64_t*, 4> counts{&shown.bark, &shown.leaves, &shown.lines, &shown.points};
+  for (const Item& item : selection.items) *counts[item.kind] += item.count;
+  return shown;
+}
+
+}  // namespace manzana::foliage

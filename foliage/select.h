@@ -1,0 +1,66 @@
+#pragma once
+/// What each visible tree shows: the twin, on the CPU, of what foliage/gl does on the GPU, to the bit. It is the oracle
+/// of the GPU's work, and stands in where there is none.
+///   PlantTable table = make_plant_table(plants);                    // once
+///   table.details = ...                                             // foliage/detail.h, when the view's scale changes
+///   Selection chosen;  select(table, sites, block_rows, runs, chosen);
+#include <array>
+#include <span>
+#include <vector>
+
+#include "foliage/prepared_plant.h"
+
+namespace manzana::foliage {
+
+namespace glsl {
+using uint = std::uint32_t;
+using vec2 = glm::vec2;
+using vec3 = glm::vec3;
+using vec4 = glm::vec4;
+using uvec4 = glm::uvec4;
+#include "foliage/shaders/select_layout.glsl"
+}  // namespace glsl
+using glsl::CellHead;
+using glsl::Detail;
+using glsl::Item;
+using glsl::PlantHead;
+using glsl::TreeRecord;
+using glsl::TreeSite;
+static_assert(sizeof(TreeSite) == 48 && sizeof(Detail) == 48 && sizeof(PlantHead) == 304 && sizeof(CellHead) == 32 &&
+              sizeof(TreeRecord) == 64 && sizeof(Item) == 32);
+
+/// All plants of a scene as the buffers have them: heads, cells, visibility; and the details of the view at hand, a
+/// table of kDetailSteps rows a plant.
+struct PlantTable {
+  std::vector<PlantHead> plants;
+  std::vector<CellHead> cells;
+  std::vector<std::uint32_t> views;  ///< PreparedPlant::visibility, four bytes a word
+  std::vector<Detail> details;
+};
+
+/// Quads are numbered as the buffers hold them: of each plant its bark, then its leaves. Throws std::invalid_argument
+/// for more than kMostLevels levels of branches or points, the finest are kept by then.
+PlantTable make_plant_table(std::span<const PreparedPlant> plants);
+
+/// `height_m` and `crown_radius_m`: what the copy measures. `id` makes what is random about it.
+TreeSite make_site(const PreparedPlant& plant, std::uint32_t index, float height_m, float crown_radius_m, float yaw,
+                   std::uint64_t id);
+
+/// What is drawn: for every tree its record and its items, in the order of the runs.
+struct Selection {
+  std::vector<TreeRecord> trees;
+  std::vector<std::uint32_t> item_first;  ///< a row a tree, and one more
+  std::vector<Item> items;
+};
+
+/// `rows`: three for each block, relative to the eye; those of visible blocks count. `runs`: of sites.
+void select(const PlantTable& table, std::span<const TreeSite> sites, std::span<const Vec4> rows,
+            std::span<const Run> runs, Selection& selection);
+
+/// Primitives: bark and leaf quads, lines, points.
+struct Shown {
+  std::uint64_t bark = 0, leaves = 0, lines = 0, points = 0;
+};
+Shown count_shown(const Selection& selection);
+
+}  // namespace manzana::foliage

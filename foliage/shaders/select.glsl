@@ -1,0 +1,170 @@
+// Which parts of a tree are shown, and how many of each. Compiled as GLSL and, within a struct that holds the same
+// arrays, as C++ (foliage/select.cpp): both give the same bits, since only operations are used that IEEE 754 rounds
+// correctly, in an order that `precise` fixes: no division, no square root, no library function.
+//   sites, block_rows, plants, cells, details, views: arrays
+
+vec3 placed(vec4 x, vec4 y, vec4 z, vec3 p) {
+  precise vec3 q;
+  q.x = x.x * p.x + x.y * p.y + x.z * p.z + x.w;
+  q.y = y.x * p.x + y.y * p.y + y.z * p.z + y.w;
+  q.z = z.x * p.x + z.y * p.y + z.z * p.z + z.w;
+  return q;
+}
+
+float squared(vec3 v) {
+  precise float s = v.x * v.x + v.y * v.y + v.z * v.z;
+  return s;
+}
+
+vec4 scaled_row(vec4 row, TreeSite site, float foot) {
+  precise vec4 r;
+  precise float x = row.x * site.turn.x + row.y * site.turn.y, y = row.y * site.turn.x - row.x * site.turn.y;
+  r.x = x * site.radius;
+  r.y = y * site.radius;
+  r.z = row.z * site.height;
+  r.w = foot;
+  return r;
+}
+
+TreeRecord place_tree(uint index) {
+  TreeSite site = sites[index];
+  vec4 x = block_rows[site.block * 3u], y = block_rows[site.block * 3u + 1u], z = block_rows[site.block * 3u + 2u];
+  vec3 foot = placed(x, y, z, site.position);
+  TreeRecord tree;
+  tree.row_x = scaled_row(x, site, foot.x);
+  tree.row_y = scaled_row(y, site, foot.y);
+  tree.row_z = scaled_row(z, site, foot.z);
+  tree.site = index;
+  tree.plant = site.plant;
+  tree.hash = site.hash;
+  vec3 middle = placed(tree.row_x, tree.row_y, tree.row_z, vec3(0.0f, 0.0f, plants[site.plant].middle));
+  precise float r2 = squared(middle) * site.inv_scale2;
+  tree.r2 = r2;
+  return tree;
+}
+
+float between(float a, float b, float t) {
+  precise float v = a + (b - a) * t;
+  return v;
+}
+
+// The table is linear in r2 within each quarter of an octave, so exponent and upper bits are the row.
+Detail detail_at(uint plant, float r2) {
+  uint bits = floatBitsToUint(min(max(r2, 0.00390625f), 1.0e12f));
+  uint step = (bits >> 21u) - 476u;
+  float t = float(bits & 0x1fffffu) * 4.76837158203125e-7f;
+  Detail a = details[plant * kDetailSteps + step], b = details[plant * kDetailSteps + step + 1u];
+  Detail d;
+  d.share = between(a.share, b.share, t);
+  d.scale = between(a.scale, b.scale, t);
+  d.fade = between(a.fade, b.fade, t);
+  d.to_points = between(a.to_points, b.to_points, t);
+  d.points = between(a.points, b.points, t);
+  d.lines = between(a.lines, b.lines, t);
+  d.bark = between(a.bark, b.bark, t);
+  d.point_level = between(a.point_level, b.point_level, t);
+  d.point_gain = between(a.point_gain, b.point_gain, t);
+  d.spare0 = 0.0f;
+  d.spare1 = 0.0f;
+  d.spare2 = 0.0f;
+  return d;
+}
+
+// [Jarzynski, Olano 2020, "Hash functions for GPU rendering", PCG]
+uint mixed(uint x) {
+  uint state = x * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+float fraction_of(uint hash) { return float(hash >> 8u) * 5.9604644775390625e-8f; }  // [0, 1)
+
+uint items_of(TreeRecord tree) {
+  Detail d = detail_at(tree.plant, tree.r2);
+  return kFixedItems + (d.to_points < 1.0f ? plants[tree.plant].cells : 0u);
+}
+
+// floor(n + a random part of 1), at most `most`: cells and trees share remainders fairly.
+uint rounded(float n, uint hash, uint most) {
+  precise float edge = n + fraction_of(hash);
+  return min(uint(max(edge, 0.0f)), most);
+}
+
+Item no_item(uint record, uint kind) {
+  Item item;
+  item.record = record;
+  item.kind = kind;
+  item.first = 0u;
+  item.count = 0u;
+  item.edge = 0.0f;
+  item.fade = 1.0f;
+  item.scale = 1.0f;
+  item.spare = 0.0f;
+  return item;
+}
+
+uint bark_level(PlantHead plant, Detail d) { return min(uint(d.bark), plant.bark_levels - 1u); }
+
+Item bark_item(TreeRecord tree, uint record, Detail d) {
+  PlantHead plant = plants[tree.plant];
+  Item item = no_item(record, kBark);
+  if (plant.bark_levels == 0u) return item;
+  uvec4 level = plant.bark[bark_level(plant, d)];
+  item.first = plant.first_quad + level.x;
+  item.count = level.y;
+  return item;
+}
+
+Item lines_item(TreeRecord tree, uint record, Detail d) {
+  PlantHead plant = plants[tree.plant];
+  Item item = no_item(record, kLines);
+  if (plant.bark_levels == 0u) return item;
+  uint first = plant.bark[bark_level(plant, d)].z;
+  uint last = min(uint(d.lines), plant.lines);
+  item.first = plant.first_line + first;
+  item.count = max(last, first) - first;
+  return item;
+}
+
+// Points of two neighbouring levels: x on the way from one to the next, x times all of the coarser are shown, and as
+// many of the finer as are missing. So each level is whole where the next one takes over.
+Item points_item(TreeRecord tree, uint record, Detail d, uint slot) {
+  PlantHead plant = plants[tree.plant];
+  Item item = no_item(record, kPoints);
+  if (plant.point_levels == 0u || d.to_points <= 0.0f) return item;
+  uint fine = min(uint(d.point_level), plant.point_levels - 1u), coarse = min(fine + 1u, plant.point_levels - 1u);
+  precise float x = d.point_level - float(fine), of_coarse = x * float(plant.points[coarse].y);
+  uint level = slot == 2u ? fine : coarse;
+  precise float shown = (slot == 2u ? d.points - of_coarse : of_coarse) * d.to_points;
+  item.first = plant.first_point + plant.points[level].x;
+  item.count = rounded(shown, mixed(tree.hash + slot), plant.points[level].y);
+  precise float gain = float(plant.points[level].y) * d.point_gain;
+  item.scale = gain;
+  return item;
+}
+
+Item cell_item(TreeRecord tree, uint record, Detail at_tree, uint index) {
+  PlantHead plant = plants[tree.plant];
+  CellHead cell = cells[plant.first_cell + index];
+  Item item = no_item(record, kLeaves);
+  precise float r2 = squared(placed(tree.row_x, tree.row_y, tree.row_z, cell.centre)) * sites[tree.site].inv_scale2;
+  Detail d = detail_at(tree.plant, r2);
+  precise float keep = d.share * (1.0f - at_tree.to_points), shown = float(cell.count) * keep;
+  uint hash = mixed(tree.hash ^ mixed(index));
+  precise float edge = shown + fraction_of(hash);
+  item.first = plant.first_quad + cell.first;
+  item.count = min(uint(edge), cell.count);
+  item.edge = keep >= 1.0f ? 3.0e38f : edge;
+  precise float fade = shown * d.fade;
+  item.fade = max(fade, 1.0f);
+  item.scale = d.scale;
+  return item;
+}
+
+Item choose_item(TreeRecord tree, uint record, uint slot) {
+  Detail d = detail_at(tree.plant, tree.r2);
+  if (slot == 0u) return bark_item(tree, record, d);
+  if (slot == 1u) return lines_item(tree, record, d);
+  if (slot < kFixedItems) return points_item(tree, record, d, slot);
+  return cell_item(tree, record, d, slot - kFixedItems);
+}

@@ -1,0 +1,67 @@
+// What selection reads and writes, as std430 lays it out; compiled as C++ too (foliage/select.h). Metres; a plant's own
+// frame has its foot at the origin and z up.
+
+// Where a copy of a plant stands.
+struct TreeSite {
+  vec3 position;     // of its foot, in its block's frame
+  float radius;      // its size over the plant's natural one, across
+  vec2 turn;         // cosine and sine of its yaw
+  float height;      // and along its axis
+  float inv_scale2;  // 1 / the larger of both, squared; times a jitter of its own, so that no ring sweeps over a meadow
+  uint plant, block, hash;
+  float tint;
+};
+
+// How much is shown at a distance: a row of a plant's detail table.
+struct Detail {
+  float share;      // of a cell's leaf quads that a viewer at that distance needs
+  float scale;      // linear size of those
+  float fade;       // share of the shown ones that shrinks to nothing, the last in order
+  float to_points;  // 0: leaf quads only, 1: points only
+  float points;       // how many, when there are only points
+  float point_level;  // of the finer of two levels that are mixed; its fraction: how far on the way to the next
+  float point_gain;   // a point's area is multiplied by this and by the points of its level
+  float lines;      // the first so many lines are thick enough
+  float bark;       // level of the branches' mesh; its fraction: how far on the way to the next
+  float spare0, spare1, spare2;
+};
+
+const uint kDetailSteps = 193u;  // of a plant's table: four an octave of r2, from 2^-8 m2 to 2^40 m2
+const uint kMostLevels = 8u;
+
+// A plant in the buffers of all plants.
+struct PlantHead {
+  uint first_quad, first_line, first_point, first_cell;
+  uint cells, lines, bark_levels, point_levels;
+  uint first_view, view_side;  // visibility: bytes, cell by cell; side 0: all is visible
+  float middle;                // height of the crown's middle
+  float bark_rgb;              // colour of lines, as floatBitsToUint
+  uvec4 bark[kMostLevels];     // first quad, quads, first line, 0
+  uvec4 points[kMostLevels];   // first point, points, 0, 0
+};
+
+struct CellHead {
+  vec3 centre;
+  uint first, count;  // quads
+  uint spare0, spare1, spare2;
+};
+
+// A tree in view, placed: p -> dot(row, vec4(p, 1)), relative to the eye.
+struct TreeRecord {
+  vec4 row_x, row_y, row_z;
+  uint site, plant, hash;
+  float r2;  // squared distance of its middle, in units of its size
+};
+
+// What is drawn of one thing: `count` primitives from `first` on.
+struct Item {
+  uint record, kind, first, count;
+  float edge;   // leaf quads: rank where nothing is left of them
+  float fade;   // ranks over which they shrink
+  float scale;  // of leaf quads their size, linear; of points their area
+  float spare;
+};
+const uint kBark = 0u, kLeaves = 1u, kLines = 2u, kPoints = 3u;
+
+// Items of a tree: its bark, its lines, its points in two levels; then its cells, if it shows leaf quads.
+const uint kFixedItems = 4u;
