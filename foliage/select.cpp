@@ -57,6 +57,7 @@ PlantTable make_plant_table(std::span<const PreparedPlant> plants) {
     head.first_view = static_cast<std::uint32_t>(table.views.size()) * 4;
     head.view_side = plant.visibility.side;
     head.middle = plant.height_m / 2;
+    head.crown = plant.crown_radius_m;
     fill_levels<BranchLevel>(plant.branch_levels, "branches", head.bark, [](const BranchLevel& l) {
       return glm::uvec4(l.quads.first, l.quads.size(), l.first_line, 0);
     });

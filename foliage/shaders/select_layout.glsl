@@ -8,8 +8,9 @@ struct TreeSite {
   vec2 turn;         // cosine and sine of its yaw
   float height;      // and along its axis
   float inv_scale2;  // 1 / the larger of both, squared; times a jitter of its own, so that no ring sweeps over a meadow
-  uint plant, block, hash;
-  float tint;
+  uint plant, block;
+  uint hash;  // what is random about it; the lowest byte is its tint
+  uint spare;
 };
 
 // How much is shown at a distance: a row of a plant's detail table.
@@ -35,7 +36,7 @@ struct PlantHead {
   uint cells, lines, bark_levels, point_levels;
   uint first_view, view_side;  // visibility: bytes, cell by cell; side 0: all is visible
   float middle;                // height of the crown's middle
-  float bark_rgb;              // colour of lines, as floatBitsToUint
+  float crown;                 // radius of the crown
   uvec4 bark[kMostLevels];     // first quad, quads, first line, 0
   uvec4 points[kMostLevels];   // first point, points, 0, 0
 };

@@ -1,0 +1,8 @@
+// The arrays of select.glsl, as the GPU holds them.
+layout(std430, binding = 1) readonly buffer BlockRows { vec4 block_rows[]; };
+layout(std430, binding = 2) readonly buffer Sites { TreeSite sites[]; };
+layout(std430, binding = 3) readonly buffer Plants { PlantHead plants[]; };
+layout(std430, binding = 4) readonly buffer Cells { CellHead cells[]; };
+layout(std430, binding = 5) readonly buffer Details { Detail details[]; };
+layout(std430, binding = 6) readonly buffer Views { uint views[]; };
+layout(std430, binding = 8) buffer TotalsBuffer { Totals totals; };

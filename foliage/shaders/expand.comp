@@ -1,0 +1,21 @@
+layout(local_size_x = 64) in;
+layout(std430, binding = 10) readonly buffer Sums { uvec4 offsets[]; };
+layout(std430, binding = 11) readonly buffer Blocks { uvec4 blocks[]; };
+layout(std430, binding = 15) readonly buffer Items { Item items[]; };
+layout(std430, binding = 16) writeonly buffer Groups { uvec2 groups[]; };  // item, first rank; quads', lines', points'
+
+void write(Item item, uint index, uint at, uint end, uint size) {
+  for (uint rank = 0u; rank < item.count && at < end; rank += size) groups[at++] = uvec2(index, rank);
+}
+
+void main() {
+  uint i = gl_GlobalInvocationID.x;
+  if (i >= totals.items) return;
+  Item item = items[i];
+  uvec4 at = offsets[i] + blocks[i / kScanBlock];
+  Capacity room = totals.capacity;
+  uint lines = room.quad_groups, points = lines + room.line_groups;
+  if (item.kind <= kLeaves) write(item, i, at.x, lines, kQuadGroup);
+  else if (item.kind == kLines) write(item, i, lines + at.y, points, kLineGroup);
+  else write(item, i, points + at.z, points + room.point_groups, kPointGroup);
+}

@@ -1,0 +1,24 @@
+// From visible trees to what is drawn of them, in five dispatches without a read-back:
+//   place    a tree in view -> its record, and how many items it has
+//   scan     their sums, so that each tree knows where its items stand
+//   choose   an item -> how many primitives of which list; how many groups they fill
+//   scan     their sums
+//   expand   an item -> its groups; a draw reads groups
+// A group is a handful of primitives of one item, so a list of groups is short where a list of primitives would not be.
+const uint kScanBlock = 1024u;    // elements that one work group sums
+const uint kMostBlocks = 4096u;   // sums of a scan
+const uint kQuadGroup = 4u, kLineGroup = 4u, kPointGroup = 16u;
+const uint kQuadsOfDraw = 65536u;  // of one command; the index buffer repeats
+const uint kQuadDraws = 32u, kLineDraws = 4u;
+
+struct Capacity {
+  uint items, quad_groups, line_groups, point_groups;
+};
+
+// What passes are told, and what they tell: GL's commands as it lays them out, five words each.
+struct Totals {
+  uint trees, runs, items, spare;
+  uvec4 groups;    // quads, lines, points in x, y, z
+  uvec4 dispatch;  // of choose and expand
+  Capacity capacity;
+};

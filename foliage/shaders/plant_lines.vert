@@ -1,0 +1,40 @@
+// A ribbon that turns to the eye, at least a pixel wide; what it is too wide, alpha takes back.
+struct LineSegment {
+  vec4 a;  // w: radius
+  vec4 b;
+  uvec4 rest;  // shade, as floatBitsToUint
+};
+layout(std430, binding = 17) readonly buffer Lines { LineSegment lines[]; };
+layout(binding = 0) uniform sampler2DArray plants_images;
+
+layout(location = 0) out vec4 out_light;  // alpha
+layout(location = 1) out vec3 out_air;
+layout(location = 2) flat out uint out_hash;
+
+void main() {
+  uint slot = uint(gl_VertexID) >> 2u, corner = uint(gl_VertexID) & 3u;
+  uvec2 group = groups[totals.capacity.quad_groups + slot / kLineGroup];
+  Item item = items[group.x];
+  uint rank = group.y + slot % kLineGroup;
+  out_light = vec4(0.0);
+  out_air = vec3(0.0);
+  out_hash = 0u;
+  gl_Position = kNowhere;
+  if (rank >= item.count) return;
+  LineSegment line = lines[item.first + rank];
+  TreeRecord tree = trees[item.record];
+  vec4 end = corner == 1u || corner == 2u ? line.b : line.a;
+  vec3 a = place(tree, line.a.xyz), b = place(tree, line.b.xyz), rel = place(tree, end.xyz);
+  vec3 side = cross(b - a, rel);
+  side /= max(length(side), 1e-20);
+  float width = end.w * sqrt(scales2(tree).x), least = 0.5 * length(rel) / focal_px;
+  float drawn = max(width, least), across = corner < 2u ? -1.0 : 1.0;
+  vec3 towards = normalize(cross(side, b - a));
+  if (dot(towards, rel) > 0.0) towards = -towards;
+  vec3 light;
+  plant_light(rel, normalize(towards + across * side), uintBitsToFloat(line.rest.x), 0.0, tint_of(tree), light, out_air);
+  vec3 bark = textureLod(plants_images, vec3(0.5, 0.5, float(2u * tree.plant)), 8.0).rgb;
+  out_light = vec4(light * plant_albedo(bark), width / drawn);
+  out_hash = tree.hash + item.first + rank;
+  gl_Position = clip_position(rel + side * (across * drawn));
+}

@@ -1,0 +1,32 @@
+// A square of pixels that stands for leaves.
+struct LeafPoint {
+  vec4 position_area;
+  uvec4 rest;  // normal, sRGB colour, shade as floatBitsToUint
+};
+layout(std430, binding = 17) readonly buffer Points { LeafPoint points[]; };
+
+layout(location = 0) out vec3 out_colour;
+
+void main() {
+  uint slot = uint(gl_VertexID);
+  uvec2 group = groups[totals.capacity.quad_groups + totals.capacity.line_groups + slot / kPointGroup];
+  Item item = items[group.x];
+  uint rank = group.y + slot % kPointGroup;
+  out_colour = vec3(0.0);
+  gl_Position = kNowhere;
+  gl_PointSize = 1.0;
+  if (rank >= item.count) return;
+  LeafPoint point = points[item.first + rank];
+  TreeRecord tree = trees[item.record];
+  vec3 rel = place(tree, point.position_area.xyz);
+  vec2 s = scales2(tree);
+  float pixels = point.position_area.w * item.scale * sqrt(s.x * s.y) * focal_px * focal_px / dot(rel, rel);
+  // Less than a pixel is drawn as one, as often as it is worth.
+  if (pixels < fraction_of(mixed(tree.hash + rank))) return;
+  vec3 light, air;
+  plant_light(rel, turn_normal(tree, point.rest.x), uintBitsToFloat(point.rest.z), 1.0, tint_of(tree), light, air);
+  vec3 srgb = vec3(point.rest.y & 255u, (point.rest.y >> 8u) & 255u, (point.rest.y >> 16u) & 255u) * (1.0 / 255.0);
+  out_colour = plant_albedo(srgb) * light + air;
+  gl_Position = clip_position(rel);
+  gl_PointSize = sqrt(max(pixels, 1.0));
+}

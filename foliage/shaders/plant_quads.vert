@@ -1,0 +1,35 @@
+struct PlantQuad {
+  uvec4 corners[4];  // position, u and v
+  uvec4 normals;
+  uvec4 anchor_shades;
+};
+layout(std430, binding = 17) readonly buffer Quads { PlantQuad quads[]; };
+
+layout(location = 0) out vec3 out_uv;
+layout(location = 1) out vec3 out_light;
+layout(location = 2) out vec3 out_air;
+
+void main() {
+  uint slot = uint(gl_VertexID) >> 2u, corner = uint(gl_VertexID) & 3u;
+  uvec2 group = groups[slot / kQuadGroup];
+  Item item = items[group.x];
+  uint rank = group.y + slot % kQuadGroup;
+  out_uv = out_light = out_air = vec3(0.0);
+  gl_Position = kNowhere;
+  if (rank >= item.count) return;
+  uint index = item.first + rank;
+  uvec4 bits = quads[index].corners[corner], anchor_shades = quads[index].anchor_shades;
+  TreeRecord tree = trees[item.record];
+  vec3 p = uintBitsToFloat(bits.xyz);
+  float leaf = float(item.kind);
+  if (item.kind == kLeaves) {
+    vec3 anchor = uintBitsToFloat(anchor_shades.xyz);
+    float left = clamp((item.edge - float(rank)) / item.fade, 0.0, 1.0);
+    p = anchor + (p - anchor) * (item.scale * sqrt(left));
+  }
+  vec3 rel = place(tree, p);
+  float shade = float((anchor_shades.w >> (8u * corner)) & 255u) * (1.0 / 255.0);
+  out_uv = vec3(vec2(bits.w & 0xffffu, bits.w >> 16u) * (8.0 / 65535.0), float(2u * tree.plant) + leaf);
+  plant_light(rel, turn_normal(tree, quads[index].normals[corner]), shade, leaf, tint_of(tree), out_light, out_air);
+  gl_Position = clip_position(rel);
+}

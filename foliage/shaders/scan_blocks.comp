@@ -1,0 +1,61 @@
+// Exclusive sums of the blocks' totals, by one work group; then the sizes of what comes next.
+layout(local_size_x = 256) in;
+layout(std430, binding = 11) buffer Blocks { uvec4 blocks[]; };
+layout(std430, binding = 12) writeonly buffer Commands { uint commands[]; };
+layout(location = 0) uniform uint of_items;
+
+shared uvec4 part[256];
+
+void write_quads(uint first_word, uint draws, uint quads) {
+  for (uint i = gl_LocalInvocationID.x; i < draws; i += 256u) {
+    uint from = i * kQuadsOfDraw, word = first_word + 5u * i;
+    commands[word] = 6u * (quads > from ? min(quads - from, kQuadsOfDraw) : 0u);
+    commands[word + 1u] = 1u;
+    commands[word + 2u] = 0u;
+    commands[word + 3u] = 4u * from;
+    commands[word + 4u] = 0u;
+  }
+}
+
+void finish(uvec4 total) {
+  if (of_items == 0u) {
+    if (gl_LocalInvocationID.x == 0u) {
+      totals.items = min(total.x, totals.capacity.items);
+      totals.dispatch = uvec4((totals.items + 63u) / 64u, 1u, 1u, 0u);
+    }
+    return;
+  }
+  Capacity room = totals.capacity;
+  uvec4 groups = min(total, uvec4(room.quad_groups, room.line_groups, room.point_groups, 0u));
+  if (gl_LocalInvocationID.x == 0u) {
+    totals.groups = groups;
+    uint word = 5u * (kQuadDraws + kLineDraws);
+    commands[word] = groups.z * kPointGroup;
+    commands[word + 1u] = 1u;
+    commands[word + 2u] = 0u;
+    commands[word + 3u] = 0u;
+  }
+  write_quads(0u, kQuadDraws, groups.x * kQuadGroup);
+  write_quads(5u * kQuadDraws, kLineDraws, groups.y * kLineGroup);
+}
+
+void main() {
+  uint t = gl_LocalInvocationID.x, count = of_items != 0u ? totals.items : totals.trees;
+  count = (count + kScanBlock - 1u) / kScanBlock;
+  uvec4 total = uvec4(0u);
+  for (uint first = 0u; first < count; first += 256u) {
+    uvec4 mine = first + t < count ? blocks[first + t] : uvec4(0u);
+    part[t] = mine;
+    for (uint step = 1u; step < 256u; step *= 2u) {
+      barrier();
+      uvec4 left = t >= step ? part[t - step] : uvec4(0u);
+      barrier();
+      part[t] += left;
+    }
+    barrier();
+    if (first + t < count) blocks[first + t] = total + part[t] - mine;
+    total += part[255];
+    barrier();
+  }
+  finish(total);
+}
