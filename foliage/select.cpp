@@ -24,6 +24,7 @@ struct Twin {
   std::span<const Detail> details;
   std::span<const uint> views;
 #define precise
+#include "foliage/shaders/hash.glsl"
 #include "foliage/shaders/select.glsl"
 #undef precise
 };

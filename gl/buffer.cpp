@@ -42,6 +42,12 @@ Buffer make_buffer(std::span<const std::byte> content) {
   return make_storage(content.size(), content.data(), 0);
 }
 
+Buffer make_buffer(std::size_t bytes) {
+  Buffer buffer = make_storage(std::max<std::size_t>(bytes, 16), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  glClearNamedBufferData(buffer.name(), GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, nullptr);
+  return buffer;
+}
+
 StreamBuffer::~StreamBuffer() { release(); }
 
 void StreamBuffer::release() {

@@ -17,6 +17,8 @@ namespace manzana::gl {
 /// An immutable buffer with that content; of at least 16 bytes, so that an empty one can be bound.
 /// Throws std::runtime_error when the device has no room.
 Buffer make_buffer(std::span<const std::byte> content);
+/// Zeros, written by the GPU or by glNamedBufferSubData.
+Buffer make_buffer(std::size_t bytes);
 
 /// One of DrawElementsIndirectCommand's rows, as GL lays it out.
 struct DrawCommand {

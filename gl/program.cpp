@@ -7,7 +7,11 @@
 namespace manzana::gl {
 namespace {
 
-Shader compile(std::string_view name, GLenum stage, Pieces pieces) {
+const char* extension(GLenum stage) {
+  return stage == GL_VERTEX_SHADER ? ".vert: " : stage == GL_FRAGMENT_SHADER ? ".frag: " : ".comp: ";
+}
+
+Shader compile(std::string_view name, GLenum stage, const Pieces& pieces) {
   Shader shader(glCreateShader(stage));
   std::vector<const GLchar*> texts;
   std::vector<GLint> lengths;
@@ -23,20 +27,14 @@ Shader compile(std::string_view name, GLenum stage, Pieces pieces) {
   glGetShaderiv(shader.name(), GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(length) + 1, '\0');
   glGetShaderInfoLog(shader.name(), length + 1, nullptr, log.data());
-  throw std::runtime_error("shader " + std::string(name) + (stage == GL_VERTEX_SHADER ? ".vert: " : ".frag: ") + log);
+  throw std::runtime_error("shader " + std::string(name) + extension(stage) + log);
 }
 
-}  // namespace
-
-Program make_program(std::string_view name, Pieces vertex, Pieces fragment) {
-  const Shader vertex_shader = compile(name, GL_VERTEX_SHADER, vertex);
-  const Shader fragment_shader = compile(name, GL_FRAGMENT_SHADER, fragment);
+Program link(std::string_view name, std::initializer_list<const Shader*> shaders) {
   Program program(glCreateProgram());
-  glAttachShader(program.name(), vertex_shader.name());
-  glAttachShader(program.name(), fragment_shader.name());
+  for (const Shader* shader : shaders) glAttachShader(program.name(), shader->name());
   glLinkProgram(program.name());
-  glDetachShader(program.name(), vertex_shader.name());
-  glDetachShader(program.name(), fragment_shader.name());
+  for (const Shader* shader : shaders) glDetachShader(program.name(), shader->name());
   GLint ok = 0, length = 0;
   glGetProgramiv(program.name(), GL_LINK_STATUS, &ok);
   if (ok != 0) return program;
@@ -44,6 +42,19 @@ Program make_program(std::string_view name, Pieces vertex, Pieces fragment) {
   std::string log(static_cast<std::size_t>(length) + 1, '\0');
   glGetProgramInfoLog(program.name(), length + 1, nullptr, log.data());
   throw std::runtime_error("program " + std::string(name) + ": " + log);
+}
+
+}  // namespace
+
+Program make_program(std::string_view name, const Pieces& vertex, const Pieces& fragment) {
+  const Shader vertex_shader = compile(name, GL_VERTEX_SHADER, vertex);
+  const Shader fragment_shader = compile(name, GL_FRAGMENT_SHADER, fragment);
+  return link(name, {&vertex_shader, &fragment_shader});
+}
+
+Program make_compute_program(std::string_view name, const Pieces& pieces) {
+  const Shader shader = compile(name, GL_COMPUTE_SHADER, pieces);
+  return link(name, {&shader});
 }
 
 }  // namespace manzana::gl

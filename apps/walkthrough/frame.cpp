@@ -30,7 +30,7 @@ std::uint64_t blocks_in(std::span<const culling::LeafRun> runs) {
 
 }  // namespace
 
-Stage::Stage(const Scene& city, std::span<const foliage::PlantModel> plants, const draw::Quality& quality,
+Stage::Stage(const Scene& city, std::span<const foliage::PreparedPlant> plants, const draw::Quality& quality,
              draw::Size first_size)
     : scene(city), renderer(city, plants, quality), sets(city), size(first_size) {
   renderer.resize(size);

@@ -52,7 +52,7 @@ void print_result(const Options& options, std::span<const FrameRow> rows) {
 
 }  // namespace
 
-void run_headless(const Options& options, const Imported& city, std::span<const foliage::PlantModel> plants,
+void run_headless(const Options& options, const Imported& city, std::span<const foliage::PreparedPlant> plants,
                   const CameraPath& path) {
   const gl::HeadlessContext context;
   const std::string renderer = gl::renderer_name();

@@ -4,7 +4,7 @@
 
 #include "apps/walkthrough/camera_path.h"
 #include "apps/walkthrough/options.h"
-#include "foliage/plant_model.h"
+#include "foliage/prepared_plant.h"
 #include "scenegraph/import/import.h"
 
 namespace manzana::walkthrough {
@@ -19,7 +19,7 @@ inline constexpr double kFramesPerSecond = 30;
 /// Draws through EGL and writes, whole or not at all, into options.out: frame_NNNN.png (every K-th), frames.csv,
 /// summary.json, issues.txt. The first frame is drawn once before, unmeasured, so that no row holds the building of
 /// shaders. Throws std::runtime_error when there is no GL 4.5 or a file cannot be written.
-void run_headless(const Options& options, const Imported& city, std::span<const foliage::PlantModel> plants,
+void run_headless(const Options& options, const Imported& city, std::span<const foliage::PreparedPlant> plants,
                   const CameraPath& path);
 
 }  // namespace manzana::walkthrough

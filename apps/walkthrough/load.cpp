@@ -7,6 +7,7 @@
 #include "foliage/generate.h"
 #include "foliage/import/gltf_plant.h"
 #include "foliage/import/species.h"
+#include "foliage/prepare.h"
 
 namespace manzana::walkthrough {
 namespace {
@@ -35,12 +36,13 @@ Imported load_city(const Options& options) {
   return import_city(options.city, how, [&](std::string_view stage, double fraction) { bar.show(stage, fraction); });
 }
 
-std::vector<foliage::PlantModel> load_plants(const Options& options) {
-  std::vector<foliage::PlantModel> plants;
+std::vector<foliage::PreparedPlant> load_plants(const Options& options) {
+  std::vector<foliage::PreparedPlant> plants;
   for (std::size_t kind = 0; kind < kSpecies.size(); ++kind) {
     const auto* file = file_for(options, static_cast<PlantKind>(kind));
-    plants.push_back(file != nullptr ? foliage::import_plant(*file)
-                                     : foliage::generate_plant(foliage::builtin_species(kSpecies[kind]), options.seed));
+    plants.push_back(foliage::prepare(
+        file != nullptr ? foliage::read_plant(*file)
+                        : foliage::grow_plant(foliage::builtin_species(kSpecies[kind]), options.seed)));
   }
   return plants;
 }

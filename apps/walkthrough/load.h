@@ -12,7 +12,7 @@ namespace manzana::walkthrough {
 Imported load_city(const Options& options);
 
 /// One model for each PlantKind: the built-in species, or the files of --plant. Throws as import_plant does.
-std::vector<foliage::PlantModel> load_plants(const Options& options);
+std::vector<foliage::PreparedPlant> load_plants(const Options& options);
 
 /// Blocks, objects a block, how many fell back; one line.
 std::string report_line(const Imported& city);

@@ -263,7 +263,7 @@ Display::~Display() {
   if (open_) glfwTerminate();
 }
 
-void run_window(const Options& options, const Imported& city, std::span<const foliage::PlantModel> plants,
+void run_window(const Options& options, const Imported& city, std::span<const foliage::PreparedPlant> plants,
                 const CameraPath& path) {
   WindowHandle handle(options.size);
   const auto quality =

@@ -4,7 +4,7 @@
 
 #include "apps/walkthrough/camera_path.h"
 #include "apps/walkthrough/options.h"
-#include "foliage/plant_model.h"
+#include "foliage/prepared_plant.h"
 #include "scenegraph/import/import.h"
 
 namespace manzana::walkthrough {
@@ -23,7 +23,7 @@ class Display {
 };
 
 /// Needs an open display. Returns when the window is closed. Throws std::runtime_error when there is no GL 4.5.
-void run_window(const Options& options, const Imported& city, std::span<const foliage::PlantModel> plants,
+void run_window(const Options& options, const Imported& city, std::span<const foliage::PreparedPlant> plants,
                 const CameraPath& path);
 
 }  // namespace manzana::walkthrough

@@ -25,6 +25,7 @@ void main() {
   uint record = tree_of(i);
   Item item = choose_item(trees[record], record, i - first_item(record));
   items[i] = item;
+  if (item.count > 0u) atomicAdd(totals.shown[item.kind], item.count);
   bool quads = item.kind <= kLeaves;
   offsets[i] = uvec4(quads ? groups_of(item.count, kQuadGroup) : 0u,
                      item.kind == kLines ? groups_of(item.count, kLineGroup) : 0u,

@@ -9,16 +9,17 @@ const uint kScanBlock = 1024u;    // elements that one work group sums
 const uint kMostBlocks = 4096u;   // sums of a scan
 const uint kQuadGroup = 4u, kLineGroup = 4u, kPointGroup = 16u;
 const uint kQuadsOfDraw = 65536u;  // of one command; the index buffer repeats
-const uint kQuadDraws = 32u, kLineDraws = 4u;
 
 struct Capacity {
   uint items, quad_groups, line_groups, point_groups;
+  uint quad_draws, line_draws, spare0, spare1;  // commands that these might need
 };
 
 // What passes are told, and what they tell: GL's commands as it lays them out, five words each.
 struct Totals {
   uint trees, runs, items, spare;
   uvec4 groups;    // quads, lines, points in x, y, z
-  uvec4 dispatch;  // of choose and expand
+  uvec4 per_item, per_block;  // work groups for choose and expand, and for the scan of items
   Capacity capacity;
+  uvec4 shown;  // primitives of each kind
 };

@@ -21,7 +21,8 @@ void finish(uvec4 total) {
   if (of_items == 0u) {
     if (gl_LocalInvocationID.x == 0u) {
       totals.items = min(total.x, totals.capacity.items);
-      totals.dispatch = uvec4((totals.items + 63u) / 64u, 1u, 1u, 0u);
+      totals.per_item = uvec4((totals.items + 63u) / 64u, 1u, 1u, 0u);
+      totals.per_block = uvec4((totals.items + kScanBlock - 1u) / kScanBlock, 1u, 1u, 0u);
     }
     return;
   }
@@ -29,14 +30,14 @@ void finish(uvec4 total) {
   uvec4 groups = min(total, uvec4(room.quad_groups, room.line_groups, room.point_groups, 0u));
   if (gl_LocalInvocationID.x == 0u) {
     totals.groups = groups;
-    uint word = 5u * (kQuadDraws + kLineDraws);
+    uint word = 5u * (room.quad_draws + room.line_draws);
     commands[word] = groups.z * kPointGroup;
     commands[word + 1u] = 1u;
     commands[word + 2u] = 0u;
     commands[word + 3u] = 0u;
   }
-  write_quads(0u, kQuadDraws, groups.x * kQuadGroup);
-  write_quads(5u * kQuadDraws, kLineDraws, groups.y * kLineGroup);
+  write_quads(0u, room.quad_draws, groups.x * kQuadGroup);
+  write_quads(5u * room.quad_draws, room.line_draws, groups.y * kLineGroup);
 }
 
 void main() {

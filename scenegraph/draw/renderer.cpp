@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "gl/framebuffer.h"
+#include "manzana_draw_shaders.h"
 #include "scenegraph/draw/car_layer.h"
 #include "scenegraph/draw/city_layer.h"
 #include "scenegraph/draw/debug_volumes.h"
@@ -45,15 +46,16 @@ void add(FrameCounts& counts, const Drawn& drawn) {
 }  // namespace
 
 struct Renderer::State {
-  State(const Scene& scene, std::span<const foliage::PlantModel> plants, const Quality& asked)
+  State(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& asked)
       : quality(asked),
         anchor(scene.blocks.empty() ? BlockFrame{} : scene.blocks.front()),
         rows(scene.blocks.size()),
         buildings(scene.buildings),
         surfaces(scene.surfaces),
         paints(make_paint_programs()),
-        trees(scene.trees.instances.size(), plants, quality),
-        cars(scene.traffic.cars()) {}
+        trees(scene.trees, plants),
+        cars(scene.traffic.cars()),
+        car_shadows(make_shadow("shadow_car", shaders::shadow_car_vert)) {}
 
   std::size_t bytes_of_frame(const VisibleSets& sets) const;
   void upload_frame(const VisibleSets& sets, const FrameData& frame);
@@ -67,7 +69,7 @@ struct Renderer::State {
   PaintPrograms paints;
   TreeLayerGpu trees;
   CarLayerGpu cars;
-  Shadows shadows;
+  gl::Program car_shadows;
   Sky sky;
   DebugVolumes volumes;
   gl::StreamBuffer stream;
@@ -78,7 +80,7 @@ std::size_t Renderer::State::bytes_of_frame(const VisibleSets& sets) const {
   using gl::StreamBuffer;
   return StreamBuffer::padded(sizeof(FrameData)) + StreamBuffer::padded((rows.size() + 1) * sizeof(Rows)) +
          stream_bytes(buildings, sets.objects().size()) + stream_bytes(surfaces, sets.objects().size()) +
-         stream_bytes(trees.meshes, trees.selection.bins.total()) + stream_bytes(cars.meshes, sets.cars.size());
+         stream_bytes(trees, sets.objects().size()) + stream_bytes(cars.meshes, sets.cars.size());
 }
 
 void Renderer::State::upload_frame(const VisibleSets& sets, const FrameData& frame) {
@@ -109,20 +111,22 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
   glDisable(GL_CULL_FACE);
   if (layers.trees) {
     counts.trees = count(scene.trees.table, sets.objects());
-    add(counts, draw_trees(trees, scene.trees, sets.objects(), rows, stream, target.samples > 1));
+    add(counts, draw_trees(trees, target.samples > 1));
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, stream.name());
   }
   if (layers.surfaces) {
     counts.surfaces = count(scene.surfaces.table, sets.objects());
     add(counts, draw_city(surfaces, paints, sets.objects(), stream));
   }
   if (quality.shadows && layers.surfaces) {
-    if (layers.trees) add(counts, draw_shadows(shadows.tree, trees.meshes, trees.selection.bins));
-    if (layers.cars) add(counts, draw_shadows(shadows.car, cars.meshes, cars.selection.bins));
+    if (layers.trees) add(counts, draw_tree_shadows(trees));
+    glBindVertexArray(cars.meshes.array.name());
+    if (layers.cars) add(counts, draw_shadows(car_shadows, cars.selection.bins.total()));
   }
   if (layers.sky) draw_sky(sky);
 }
 
-Renderer::Renderer(const Scene& scene, std::span<const foliage::PlantModel> plants, const Quality& quality)
+Renderer::Renderer(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& quality)
     : state_(std::make_unique<State>(scene, plants, quality)) {
   resize({1, 1});
 }
@@ -143,7 +147,6 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const cu
   for (const culling::LeafRun& run : sets.blocks()) {
     for (std::uint32_t b = run.first; b < run.last; ++b) s.rows[b] = relative_to(view.eye, scene.blocks[b]);
   }
-  count_trees(scene.trees, sets.objects(), s.rows, focal_px * s.quality.tree_detail, s.trees.selection);
   count_cars(sets.cars, view.eye, focal_px * s.quality.car_detail, s.cars.selection);
 
   s.stream.begin(s.bytes_of_frame(sets));
@@ -151,6 +154,10 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const cu
   set_depth_and_colour(view);
   clear(s.target, frame);
   s.upload_frame(sets, frame);
+  if (options.layers.trees) {
+    const foliage::DetailOptions details{focal_px, options.tree_error_px / s.quality.tree_detail, options.tree_law};
+    extract_trees(s.trees, scene.trees, sets.objects(), details, s.stream);
+  }
   FrameCounts counts;
   s.draw_layers(scene, sets, view, options.layers, counts);
   if (options.frozen != nullptr) draw_lines(s.volumes, volume_lines(scene.tree, *options.frozen, view.eye));
@@ -158,6 +165,8 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const cu
   s.stream.end();
   return counts;
 }
+
+foliage::Shown Renderer::read_trees_shown() const { return read_shown(state_->trees); }
 
 void Renderer::present(unsigned framebuffer) {
   const gl::Target& target = state_->target;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "culling/frustum.h"
-#include "foliage/plant_model.h"
+#include "foliage/detail.h"
 #include "scenegraph/scene.h"
 #include "scenegraph/visible.h"
 
@@ -21,7 +21,7 @@ namespace manzana::draw {
 /// What a device is asked for. By the renderer's name, never by measured time, so that two runs give equal pictures.
 struct Quality {
   int samples = 4;         ///< 1: no multisampling; else leaves use alpha-to-coverage
-  double tree_detail = 1;  ///< a tree's radius in pixels is multiplied by it before its level is chosen
+  double tree_detail = 1;  ///< the error that is tolerated in trees is divided by it
   double car_detail = 1;
   bool shadows = true;  ///< soft dark ground under cars and trees
 };
@@ -35,13 +35,15 @@ struct Layers {
 struct DrawOptions {
   Layers layers;
   Vec3d sun{0.45, -0.55, 0.70};  ///< towards the sun, in L; need not be of unit length
+  double tree_error_px = 1;      ///< what is smaller may be wrong
+  foliage::Law tree_law = foliage::Law::ours;
   double fog_distance_m = 4000;  ///< where half of the light is the air's
   /// Debug view: volumes of the tree for this frustum, drawn as lines over what is drawn for the view. nullptr: none.
   const culling::View* frozen = nullptr;
 };
 
 struct FrameCounts {
-  std::uint64_t triangles = 0;  ///< submitted
+  std::uint64_t triangles = 0;  ///< submitted; without trees, which the GPU chooses
   std::uint64_t buildings = 0, surfaces = 0, trees = 0, cars = 0;
   std::uint64_t commands = 0;  ///< of multi-draws
 };
@@ -52,9 +54,9 @@ struct Size {
 
 class Renderer {
  public:
-  /// `plants`: one model for each PlantKind. Uploads everything. Throws std::runtime_error when a shader does not
+  /// `plants`: one plant for each PlantKind. Uploads everything. Throws std::runtime_error when a shader does not
   /// compile (with its log) or the scene does not fit the device's buffers.
-  Renderer(const Scene& scene, std::span<const foliage::PlantModel> plants, const Quality& quality);
+  Renderer(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& quality);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
@@ -62,6 +64,8 @@ class Renderer {
   void resize(Size size);  ///< allocates the framebuffer; at least 1 x 1
   /// Chooses levels and draws into the renderer's own framebuffer.
   FrameCounts draw(const Scene& scene, const VisibleSets& sets, const culling::View& view, const DrawOptions& options);
+  /// What the last frame drew of trees, not in its counts. Waits for the GPU; not for use in a frame.
+  foliage::Shown read_trees_shown() const;
   void present(unsigned framebuffer);  ///< copies the picture there, same size, at (0, 0)
   /// The picture as RGB bytes, rows from the top. Waits for the GPU; not for use in a frame.
   std::vector<unsigned char> read_pixels();

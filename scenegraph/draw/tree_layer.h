@@ -1,20 +1,35 @@
 #pragma once
-/// Trees on the GPU: meshes and textures of all models resident, visible instances written each frame.
-#include "gl/program.h"
-#include "scenegraph/draw/select_trees.h"
+/// Trees on the GPU: what the culling sees goes to foliage/gl as runs of sites, and comes back as three draws.
+#include "foliage/detail.h"
+#include "foliage/gl/draw_plants.h"
+#include "scenegraph/draw/instances.h"
+#include "scenegraph/draw/renderer.h"
 
 namespace manzana::draw {
 
 struct TreeLayerGpu {
-  TreeLayerGpu(std::size_t trees, std::span<const foliage::PlantModel> plants, const Quality& quality);
-  std::vector<foliage::PlantModel> models;  ///< one a kind, without vertices and images: what selection asks
-  TreeSelection selection;
-  MeshSet meshes;
-  gl::Texture textures;  ///< layers 2 k: bark of kind k, 2 k + 1: its leaf
-  gl::Program program;
+  /// `plants`: one for each PlantKind.
+  TreeLayerGpu(const TreeLayer& trees, std::span<const foliage::PreparedPlant> plants);
+
+  std::vector<foliage::PreparedPlant> plants;  ///< without pictures: what tables are made from
+  foliage::PlantStore store;
+  foliage::Extractor extractor;
+  foliage::PlantPrograms programs;
+  gl::Program shadows;
+  foliage::DetailOptions details;   ///< what the store's table was made for
+  std::uint32_t trees_in_view = 0;  ///< of the last extraction
 };
 
-Drawn draw_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const culling::ObjectRun> objects,
-                 std::span<const Rows> blocks, gl::StreamBuffer& stream, bool alpha_to_coverage);
+std::size_t stream_bytes(const TreeLayerGpu& layer, std::size_t runs);
+
+/// Once a frame, with the blocks' rows bound. `objects`: runs of the tree's.
+void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const culling::ObjectRun> objects,
+                   const foliage::DetailOptions& details, gl::StreamBuffer& stream);
+Drawn draw_trees(const TreeLayerGpu& layer, bool alpha_to_coverage);
+/// Soft dark ground under the trees, over the surfaces.
+Drawn draw_tree_shadows(const TreeLayerGpu& layer);
+
+/// What the last extraction chose. Waits for the GPU; not for use in a frame.
+foliage::Shown read_shown(const TreeLayerGpu& layer);
 
 }  // namespace manzana::draw

@@ -1,4 +1,4 @@
-#include "scenegraph/draw/leaf_texture.h"
+#include "foliage/gl/leaf_texture.h"
 
 #include <catch2/catch.hpp>
 

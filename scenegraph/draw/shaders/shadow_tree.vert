@@ -1,21 +1,21 @@
 // The soft shadow of a crown: a disc on the ground, a little away from the sun; within the crown's own radius, so that a
 // tree that is culled takes no visible shadow with it. The instance is the tree's.
-layout(location = 4) in vec4 row_x;
-layout(location = 5) in vec4 row_y;
-layout(location = 6) in vec4 row_z;
-layout(location = 7) in vec4 extra;  // 1 / crown radius, 1 / height
+layout(std430, binding = 3) readonly buffer Plants { PlantHead plants[]; };
+layout(std430, binding = 9) readonly buffer Trees { TreeRecord trees[]; };
 
 layout(location = 0) out vec2 out_at;
 layout(location = 1) flat out vec2 out_kind;  // darkness, squareness
 
 void main() {
   vec2 at = vec2(gl_VertexID == 0 || gl_VertexID == 3 ? -1.0 : 1.0, gl_VertexID < 2 ? -1.0 : 1.0);
-  float r = 1.0 / extra.x;
-  vec3 up = vec3(row_x.z, row_y.z, row_z.z) * extra.y;
+  TreeRecord tree = trees[gl_InstanceID];
+  vec3 x = vec3(tree.row_x.x, tree.row_y.x, tree.row_z.x);
+  vec3 up = normalize(vec3(tree.row_x.z, tree.row_y.z, tree.row_z.z));
+  float r = length(x) * plants[tree.plant].crown;
   vec3 away = up * dot(frame.sun.xyz, up) - frame.sun.xyz;  // level, away from the sun, at most 1 long
   vec3 along = length(away) > 1e-4 ? normalize(away) : normalize(cross(up, vec3(0.3, 1.0, 0.2)));
   vec3 across = cross(along, up);
-  vec3 foot = vec3(row_x.w, row_y.w, row_z.w) + up * 0.17;  // over the highest surface
+  vec3 foot = vec3(tree.row_x.w, tree.row_y.w, tree.row_z.w) + up * 0.17;  // over the highest surface
   vec3 rel = foot + r * (0.22 * away + 0.78 * (along * at.y + across * at.x));
   out_at = at;
   out_kind = vec2(0.5 * exp2(-length(rel) * frame.fog.x), 0.0);

@@ -4,7 +4,7 @@ layout(location = 2) in vec3 air;
 layout(location = 0) out vec4 colour;
 
 layout(binding = 0) uniform sampler2DArray plants;
-layout(location = 0) uniform float alpha_to_coverage;
+layout(location = 1) uniform float alpha_to_coverage;
 
 void main() {
   vec4 texel = texture(plants, uv);

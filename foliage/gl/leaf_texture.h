@@ -6,15 +6,15 @@
 
 #include "foliage/plant_model.h"
 
-namespace manzana::draw {
+namespace manzana::foliage {
 
 /// Share of texels whose alpha passes the test at one half.
-double alpha_coverage(const foliage::Image& image);
+double alpha_coverage(const Image& image);
 
 /// image, half of it, ... 1 x 1. Colours are averaged in linear light. An empty image gives one white texel.
-std::vector<foliage::Image> coverage_mipmaps(const foliage::Image& image);
+std::vector<Image> coverage_mipmaps(const Image& image);
 
 /// Nearest texels, to another size; what is of that size already is only copied. Empty: white.
-foliage::Image resized(const foliage::Image& image, int size);
+Image resized(const Image& image, int size);
 
-}  // namespace manzana::draw
+}  // namespace manzana::foliage

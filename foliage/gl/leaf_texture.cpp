@@ -1,9 +1,9 @@
-#include "scenegraph/draw/leaf_texture.h"
+#include "foliage/gl/leaf_texture.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace manzana::draw {
+namespace manzana::foliage {
 namespace {
 
 constexpr int kPasses = 128;  // alpha of one half
@@ -18,18 +18,18 @@ std::uint8_t encoded(double light) {
   return static_cast<std::uint8_t>(std::clamp(std::lround(s * 255), 0L, 255L));
 }
 
-std::size_t at(const foliage::Image& image, int x, int y) {
+std::size_t at(const Image& image, int x, int y) {
   return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size) + static_cast<std::size_t>(x));
 }
 
-foliage::Image make_image(int size) {
-  foliage::Image image;
+Image make_image(int size) {
+  Image image;
   image.size = size;
   image.rgba.assign(4 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 255);
   return image;
 }
 
-void average(const foliage::Image& image, int x, int y, std::uint8_t* texel) {
+void average(const Image& image, int x, int y, std::uint8_t* texel) {
   for (std::size_t c = 0; c < 4; ++c) {
     double sum = 0;
     for (int k = 0; k < 4; ++k) {
@@ -40,8 +40,8 @@ void average(const foliage::Image& image, int x, int y, std::uint8_t* texel) {
   }
 }
 
-foliage::Image halved(const foliage::Image& image) {
-  foliage::Image half = make_image(image.size / 2);
+Image halved(const Image& image) {
+  Image half = make_image(image.size / 2);
   for (int y = 0; y < half.size; ++y) {
     for (int x = 0; x < half.size; ++x) average(image, x, y, &half.rgba[at(half, x, y)]);
   }
@@ -49,7 +49,7 @@ foliage::Image halved(const foliage::Image& image) {
 }
 
 // The texel that must just pass so that `coverage` of all do: alpha is scaled to bring it to one half.
-void keep_coverage(foliage::Image& image, double coverage) {
+void keep_coverage(Image& image, double coverage) {
   std::vector<std::uint8_t> alphas;
   for (std::size_t i = 3; i < image.rgba.size(); i += 4) alphas.push_back(image.rgba[i]);
   std::sort(alphas.rbegin(), alphas.rend());
@@ -63,17 +63,17 @@ void keep_coverage(foliage::Image& image, double coverage) {
 
 }  // namespace
 
-double alpha_coverage(const foliage::Image& image) {
+double alpha_coverage(const Image& image) {
   if (image.rgba.empty()) return 0;
   std::size_t passing = 0;
   for (std::size_t i = 3; i < image.rgba.size(); i += 4) passing += image.rgba[i] >= kPasses ? 1 : 0;
   return 4 * static_cast<double>(passing) / static_cast<double>(image.rgba.size());
 }
 
-std::vector<foliage::Image> coverage_mipmaps(const foliage::Image& image) {
-  std::vector<foliage::Image> levels{image.size > 0 ? image : make_image(1)};
+std::vector<Image> coverage_mipmaps(const Image& image) {
+  std::vector<Image> levels{image.size > 0 ? image : make_image(1)};
   const double coverage = alpha_coverage(levels.front());
-  foliage::Image plain = levels.front();
+  Image plain = levels.front();
   while (plain.size > 1) {
     plain = halved(plain);
     levels.push_back(plain);
@@ -82,9 +82,9 @@ std::vector<foliage::Image> coverage_mipmaps(const foliage::Image& image) {
   return levels;
 }
 
-foliage::Image resized(const foliage::Image& image, int size) {
+Image resized(const Image& image, int size) {
   if (image.size == size) return image;
-  foliage::Image result = make_image(size);
+  Image result = make_image(size);
   for (int y = 0; image.size > 0 && y < size; ++y) {
     for (int x = 0; x < size; ++x) {
       const std::size_t from = at(image, x * image.size / size, y * image.size / size);
@@ -94,4 +94,4 @@ foliage::Image resized(const foliage::Image& image, int size) {
   return result;
 }
 
-}  // namespace manzana::draw
+}  // namespace manzana::foliage

@@ -1,0 +1,35 @@
+#pragma once
+/// Draws what extraction chose: three draws, whatever the forest. Light and pictures are the host's: it supplies the
+/// pieces of GLSL that foliage/shaders/plant.glsl names.
+#include <string_view>
+#include <vector>
+
+#include "foliage/gl/extract.h"
+#include "gl/program.h"
+
+namespace manzana::foliage {
+
+/// Without "#version".
+struct HostShaders {
+  gl::Pieces vertex;  ///< clip_position, plant_light, plant_albedo
+  gl::Pieces quads, lines,
+      points;  ///< fragment shaders, for the outputs of plant_*.vert; uniform 1: alpha to coverage, 0 or 1
+};
+
+struct PlantPrograms {
+  explicit PlantPrograms(const HostShaders& host);
+  gl::Program quads, lines, points;
+  gl::VertexArray array;  ///< no attributes; the indices of quads
+  gl::Buffer indices;
+};
+
+struct DrawPlantsOptions {
+  float focal_px = 1000;           ///< as DetailOptions::focal_px
+  bool alpha_to_coverage = false;  ///< with multisampling
+};
+
+/// After extract(), with its bindings in place.
+void draw_plants(const PlantPrograms& programs, const PlantStore& store, const Extractor& extractor,
+                 const DrawPlantsOptions& options);
+
+}  // namespace manzana::foliage

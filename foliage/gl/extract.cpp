@@ -1,0 +1,141 @@
+#include "foliage/gl/extract.h"
+
+#include <algorithm>
+#include <cassert>
+#include <stdexcept>
+
+#include "gl/program.h"
+#include "manzana_foliage_gl_shaders.h"
+
+namespace manzana::foliage {
+namespace {
+
+using glsl::Capacity;
+using glsl::Totals;
+static_assert(sizeof(Totals) == 112);
+
+constexpr GLintptr kCommandBytes = 5 * sizeof(GLuint);
+
+std::uint32_t ceil_div(std::uint32_t a, std::uint32_t b) { return (a + b - 1) / b; }
+
+Capacity capacity_of(const ExtractLimits& limits) {
+  return {.items = limits.items,
+          .quad_groups = ceil_div(limits.quads, glsl::kQuadGroup),
+          .line_groups = ceil_div(limits.lines, glsl::kLineGroup),
+          .point_groups = ceil_div(limits.points, glsl::kPointGroup),
+          .quad_draws = ceil_div(limits.quads, glsl::kQuadsOfDraw),
+          .line_draws = ceil_div(limits.lines, glsl::kQuadsOfDraw),
+          .spare0 = 0,
+          .spare1 = 0};
+}
+
+gl::Program make_pass(std::string_view name, std::string_view main) {
+  using namespace shaders;
+  return gl::make_compute_program(
+      name, {version_glsl, select_layout_glsl, extract_glsl, buffers_glsl, hash_glsl, select_glsl, main});
+}
+
+template <class T>
+gl::Buffer make_room(std::size_t n) {
+  return gl::make_buffer(n * sizeof(T));
+}
+
+void to(GLuint binding, const gl::Buffer& buffer) {
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.name());
+}
+
+Extractor::Sums make_sums(std::size_t n) {
+  return {make_room<glm::uvec4>(n), make_room<glm::uvec4>((n + glsl::kScanBlock - 1) / glsl::kScanBlock)};
+}
+
+void bind(const Extractor& e, const TreesInView& view) {
+  to(kSitesBinding, e.sites);
+  to(kTotalsBinding, e.totals);
+  to(kTreesBinding, e.trees);
+  to(kTreeOffsetsBinding, e.tree_sums.offsets);
+  to(kTreeBlocksBinding, e.tree_sums.blocks);
+  to(kItemsBinding, e.items);
+  to(kGroupsBinding, e.groups);
+  to(kCommandsBinding, e.commands);
+  glBindBufferRange(GL_SHADER_STORAGE_BUFFER, kRunsBinding, view.buffer, view.offset,
+                    static_cast<GLsizeiptr>(std::max(view.runs, 1U) * sizeof(glm::uvec2)));
+}
+
+void bind(const Extractor::Sums& sums) {
+  to(kOffsetsBinding, sums.offsets);
+  to(kBlocksBinding, sums.blocks);
+}
+
+void finish_writes() { glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT); }
+
+void dispatch(const gl::Program& program, std::uint32_t groups) {
+  glUseProgram(program.name());
+  glDispatchCompute(groups, 1, 1);
+  finish_writes();
+}
+
+void dispatch_indirect(const gl::Program& program, GLintptr offset) {
+  glUseProgram(program.name());
+  glDispatchComputeIndirect(offset);
+  finish_writes();
+}
+
+}  // namespace
+
+Extractor::Extractor(std::span<const TreeSite> all, const ExtractLimits& limits)
+    : most_trees(static_cast<std::uint32_t>(all.size())),
+      capacity(capacity_of(limits)),
+      sites(gl::make_buffer(std::as_bytes(all))),
+      trees(make_room<TreeRecord>(all.size())),
+      items(make_room<Item>(limits.items)),
+      groups(make_room<glm::uvec2>(std::size_t{capacity.quad_groups} + capacity.line_groups + capacity.point_groups)),
+      commands(gl::make_buffer(static_cast<std::size_t>(command_places(capacity).points + kCommandBytes))),
+      totals(make_room<Totals>(1)),
+      tree_sums(make_sums(all.size())),
+      item_sums(make_sums(limits.items)),
+      place(make_pass("place", shaders::place_comp)),
+      scan(make_pass("scan", shaders::scan_comp)),
+      scan_blocks(make_pass("scan_blocks", shaders::scan_blocks_comp)),
+      choose(make_pass("choose", shaders::choose_comp)),
+      expand(make_pass("expand", shaders::expand_comp)) {}
+
+void extract(Extractor& e, const PlantStore& store, const TreesInView& view) {
+  assert(view.trees <= e.most_trees);
+  Totals start{};
+  start.trees = view.trees;
+  start.runs = view.runs;
+  start.capacity = e.capacity;
+  glNamedBufferSubData(e.totals.name(), 0, sizeof start, &start);
+  bind(store);
+  bind(e, view);
+  bind(e.tree_sums);
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, e.totals.name());
+  const auto scan_of = [&](GLuint of_items) {
+    glProgramUniform1ui(e.scan.name(), 0, of_items);
+    glProgramUniform1ui(e.scan_blocks.name(), 0, of_items);
+  };
+  scan_of(0);
+  dispatch(e.place, ceil_div(view.trees, 64));
+  dispatch(e.scan, ceil_div(view.trees, glsl::kScanBlock));
+  dispatch(e.scan_blocks, 1);
+  bind(e.item_sums);
+  scan_of(1);
+  dispatch_indirect(e.choose, offsetof(Totals, per_item));
+  dispatch_indirect(e.scan, offsetof(Totals, per_block));
+  dispatch(e.scan_blocks, 1);
+  dispatch_indirect(e.expand, offsetof(Totals, per_item));
+}
+
+Shown read_shown(const Extractor& extractor) {
+  glm::uvec4 shown;
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glGetNamedBufferSubData(extractor.totals.name(), offsetof(Totals, shown), sizeof shown, &shown);
+  return {shown.x, shown.y, shown.z, shown.w};
+}
+
+CommandPlaces command_places(const Capacity& capacity) {
+  const GLintptr lines = kCommandBytes * capacity.quad_draws;
+  return {.quads = 0, .lines = lines, .points = lines + kCommandBytes * capacity.line_draws};
+}
+
+}  // namespace manzana::foliage

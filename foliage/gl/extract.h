@@ -1,0 +1,61 @@
+#pragma once
+/// From the trees in view to the lists that are drawn of them, on the GPU: five dispatches for all trees at once,
+/// nothing read back. The CPU's twin is foliage/select.h; both choose the same to the bit.
+///   Extractor extractor(sites, {});
+///   stream...: runs of visible sites
+///   extract(extractor, store, {stream.name(), offset, runs, trees});
+///   draw_plants(programs, store, extractor, focal_px);          // foliage/gl/draw_plants.h
+#include <cstdint>
+#include <span>
+
+#include "foliage/gl/plant_store.h"
+#include "gl/buffer.h"
+
+namespace manzana::foliage {
+
+namespace glsl {
+#include "foliage/shaders/extract.glsl"
+}  // namespace glsl
+
+/// What a frame may show at most. What is beyond is not drawn; memory: 48 bytes an item, 8 a group.
+struct ExtractLimits {
+  std::uint32_t items = 1U << 20;
+  std::uint32_t quads = 1U << 21, lines = 1U << 18, points = 1U << 21;
+};
+
+/// Runs of sites as uvec2 (first site, first tree in view), in a buffer; sorted by the second.
+struct TreesInView {
+  GLuint buffer = 0;
+  GLintptr offset = 0;
+  std::uint32_t runs = 0, trees = 0;
+};
+
+/// All plants' sites, and room for what is extracted from them.
+struct Extractor {
+  /// Throws std::runtime_error when a shader does not compile, or the device has no room.
+  Extractor(std::span<const TreeSite> sites, const ExtractLimits& limits);
+
+  std::uint32_t most_trees;
+  glsl::Capacity capacity;
+  gl::Buffer sites, trees, items, groups, commands, totals;
+
+  struct Sums {
+    gl::Buffer offsets, blocks;
+  };
+  Sums tree_sums, item_sums;
+  gl::Program place, scan, scan_blocks, choose, expand;
+};
+
+/// Needs the blocks' rows bound to kBlockRowsBinding. No allocation, no wait.
+void extract(Extractor& extractor, const PlantStore& store, const TreesInView& view);
+
+/// What the last extraction chose. Waits for the GPU; not for use in a frame.
+Shown read_shown(const Extractor& extractor);
+
+/// Where commands begin in Extractor::commands, in bytes.
+struct CommandPlaces {
+  GLintptr quads, lines, points;
+};
+CommandPlaces command_places(const glsl::Capacity& capacity);
+
+}  // namespace manzana::foliage
