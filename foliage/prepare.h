@@ -11,7 +11,7 @@ struct PrepareOptions {
   std::uint32_t quads_per_cell = 256;  ///< cells are split until they have no more
   std::uint32_t branch_levels = 4;     ///< meshes of branches
   std::uint64_t seed = 1;
-  std::function<void(double)> progress;  ///< called with [0, 1] now and then; may be empty
+  std::function<void(double)> progress{};  ///< called with [0, 1] now and then; may be empty
 };
 
 /// The same for the same plant and options on every machine. Throws std::invalid_argument where check(plant) does.

@@ -37,11 +37,9 @@ void draw_quads(GLintptr commands, std::uint32_t draws) {
                               static_cast<GLsizei>(draws), 5 * sizeof(GLuint));
 }
 
-void use(const gl::Program& program, const gl::Buffer& primitives, const DrawPlantsOptions& options) {
+void use(const gl::Program& program, const gl::Buffer& primitives, float focal_px) {
   glUseProgram(program.name());
-  glUniform1f(0, options);
-  if (glGetUniformLocation(program.name(), "alpha_to_coverage") == 1)
-    glUniform1f(1, options.alpha_to_coverage ? 1.0F : 0.0F);
+  glUniform1f(0, focal_px);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kPrimitivesBinding, primitives.name());
 }
 
@@ -62,13 +60,15 @@ void draw_plants(const PlantPrograms& programs, const PlantStore& store, const E
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, extractor.commands.name());
   glBindTextureUnit(0, store.images.name());
   if (options.alpha_to_coverage) glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-  use(programs.quads, store.quads, options);
+  use(programs.quads, store.quads, options.focal_px);
+  glUniform1f(1, options.alpha_to_coverage ? 1.0F : 0.0F);
   draw_quads(at.quads, extractor.capacity.quad_draws);
-  use(programs.lines, store.lines, options);
+  use(programs.lines, store.lines, options.focal_px);
+  glUniform1f(1, options.alpha_to_coverage ? 1.0F : 0.0F);
   draw_quads(at.lines, extractor.capacity.line_draws);
   glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
   glEnable(GL_PROGRAM_POINT_SIZE);
-  use(programs.points, store.points, options);
+  use(programs.points, store.points, options.focal_px);
   glDrawArraysIndirect(GL_POINTS, reinterpret_cast<const void*>(at.points));
   glDisable(GL_PROGRAM_POINT_SIZE);
 }

@@ -13,7 +13,7 @@ namespace manzana::foliage {
 struct HostShaders {
   gl::Pieces vertex;  ///< clip_position, plant_light, plant_albedo
   gl::Pieces quads, lines,
-      points;  ///< fragment shaders, for the outputs of plant_*.vert; uniform 1: alpha to coverage, 0 or 1
+      points;  ///< fragment shaders, for the outputs of plant_*.vert
 };
 
 struct PlantPrograms {

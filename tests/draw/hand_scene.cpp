@@ -94,26 +94,24 @@ culling::BlockVolume volume_of(const HandBlock& block, const BlockFrame& frame) 
   return volume;
 }
 
-foliage::PlantVertex plant_vertex(const Vec3& p, const Vec2& uv, std::uint8_t leaf) {
-  const auto packed = [](float x) { return static_cast<std::uint16_t>(x / foliage::kUvRange * 65535.0F + 0.5F); };
-  const Vec3 n = glm::normalize(Vec3(p.x, p.y, 0.5F * (p.z - 0.5F)) + Vec3(0, 0, 0.01F));
-  return {p, pack_normal(n), packed(uv.x), packed(uv.y), 255, leaf, 0};
-}
-
-// A double pyramid of `sides`, in unit form.
-void add_cone(foliage::PlantLevel& level, int sides, float low, float high, float radius, std::uint8_t leaf) {
-  const auto base = static_cast<std::uint32_t>(level.vertices.size());
+// A double pyramid of `sides`, a metre high.
+void add_cone(foliage::MeshPart& part, int sides, float low, float high, float radius) {
   const float middle = 0.5F * (low + high);
-  level.vertices.push_back(plant_vertex({0, 0, low}, {0.5F, 0.5F}, leaf));
-  level.vertices.push_back(plant_vertex({0, 0, high}, {0.5F, 0.5F}, leaf));
+  const auto vertex = [](const Vec3& p) {
+    return foliage::MeshVertex{
+        p, glm::normalize(Vec3(p.x, p.y, 0.5F * (p.z - 0.5F)) + Vec3(0, 0, 0.01F)), {0.5F, 0.5F}};
+  };
+  const auto base = static_cast<std::uint32_t>(part.vertices.size());
+  part.vertices.push_back(vertex({0, 0, low}));
+  part.vertices.push_back(vertex({0, 0, high}));
   for (int i = 0; i < sides; ++i) {
     const float a = 6.2831853F * static_cast<float>(i) / static_cast<float>(sides);
-    level.vertices.push_back(plant_vertex({radius * glm::cos(a), radius * glm::sin(a), middle}, {0.5F, 0.5F}, leaf));
+    part.vertices.push_back(vertex({radius * glm::cos(a), radius * glm::sin(a), middle}));
   }
   for (int i = 0; i < sides; ++i) {
     const std::uint32_t a = base + 2 + static_cast<std::uint32_t>(i),
                         b = base + 2 + static_cast<std::uint32_t>((i + 1) % sides);
-    for (const std::uint32_t k : {base, b, a, base + 1, a, b}) level.indices.push_back(k);
+    for (const std::uint32_t k : {base, b, a, base + 1, a, b}) part.indices.push_back(k);
   }
 }
 
@@ -188,19 +186,17 @@ Scene make_scene(const std::vector<HandBlock>& blocks, const GeoPoint& anchor) {
   return scene;
 }
 
-std::vector<foliage::PlantModel> simple_plants() {
-  foliage::PlantModel model;
-  model.name = "cone";
-  for (const int sides : {12, 4}) {
-    foliage::PlantLevel& level = model.levels.emplace_back();
-    add_cone(level, sides, 0.0F, 0.5F, 0.05F, 0);
-    level.bark_indices = static_cast<std::uint32_t>(level.indices.size());
-    add_cone(level, sides, 0.2F, 1.0F, 1.0F, 1);
-  }
-  model.levels.front().min_radius_px = 20;
-  model.leaf = plain_image(60, 130, 40);
-  model.bark = plain_image(110, 80, 50);
-  return std::vector<foliage::PlantModel>(static_cast<std::size_t>(PlantKind::count), model);
+std::vector<foliage::PreparedPlant> simple_plants() {
+  foliage::Plant plant;
+  plant.name = "cone";
+  add_cone(plant.mesh.bark, 12, 0.0F, 0.5F, 0.05F);
+  add_cone(plant.mesh.leaves, 12, 0.2F, 1.0F, 1.0F);
+  plant.centre_lines = {{{0, 0, 0}, 0.05F}, {{0, 0, 0.5F}, 0.0F}};
+  plant.branches = {{.line = {0, 2}, .triangles = {0, 24}}};
+  for (std::uint32_t i = 0; i < 24; ++i) plant.terminals.push_back({.triangles = {i, i + 1}});
+  plant.leaf_image = plain_image(60, 130, 40);
+  plant.bark_image = plain_image(110, 80, 50);
+  return std::vector<foliage::PreparedPlant>(static_cast<std::size_t>(PlantKind::count), prepare(plant));
 }
 
 VisibleSets visible(const Scene& scene, const culling::View& view, Structure structure) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "culling/frustum.h"
-#include "foliage/plant_model.h"
+#include "foliage/prepare.h"
 #include "scenegraph/scene.h"
 #include "scenegraph/visible.h"
 
@@ -35,8 +35,8 @@ HandMesh make_level(const Vec3& middle, const Vec2& size, std::uint32_t rgb, Mat
 /// Blocks are stored in the tree's order; scene.blocks[i].origin tells which is which.
 Scene make_scene(const std::vector<HandBlock>& blocks, const GeoPoint& anchor = {52, 13, 0});
 
-/// A green double pyramid on a brown stick, two levels, for every kind.
-std::vector<foliage::PlantModel> simple_plants();
+/// A green double pyramid on a brown stick, for every kind.
+std::vector<foliage::PreparedPlant> simple_plants();
 
 /// Everything, or what the structure finds; cars are the caller's.
 VisibleSets visible(const Scene& scene, const culling::View& view, Structure structure);

@@ -2,12 +2,12 @@
 
 #include <catch2/catch.hpp>
 
-namespace manzana::draw {
+namespace manzana::foliage {
 namespace {
 
 // Dots of half a lattice cell: plain averaging would lose them all.
-foliage::Image dots() {
-  foliage::Image image;
+Image dots() {
+  Image image;
   image.size = 256;
   for (int y = 0; y < 256; ++y) {
     for (int x = 0; x < 256; ++x) {
@@ -22,12 +22,12 @@ foliage::Image dots() {
 }  // namespace
 
 TEST_CASE("mip levels stay as dense as the image") {
-  const foliage::Image image = dots();
-  const std::vector<foliage::Image> levels = coverage_mipmaps(image);
+  const Image image = dots();
+  const std::vector<Image> levels = coverage_mipmaps(image);
   REQUIRE(levels.size() == 9);
   const double coverage = alpha_coverage(image);
   CHECK((coverage > 0.2 && coverage < 0.4));
-  for (const foliage::Image& level : levels) {
+  for (const Image& level : levels) {
     INFO(level.size);
     if (level.size < 32) continue;  // a texel a dot: all are equal, and pass together
     // Ties at the threshold all pass, so some more may.
@@ -40,8 +40,8 @@ TEST_CASE("mip levels stay as dense as the image") {
 TEST_CASE("an image of nothing is white, an opaque one stays opaque") {
   CHECK(coverage_mipmaps({}).size() == 1);
   CHECK(resized({}, 8).rgba == std::vector<std::uint8_t>(256, 255));
-  for (const foliage::Image& level : coverage_mipmaps(resized({}, 64))) CHECK(alpha_coverage(level) == 1);
+  for (const Image& level : coverage_mipmaps(resized({}, 64))) CHECK(alpha_coverage(level) == 1);
   CHECK(resized(dots(), 64).rgba.size() == 4 * 64 * 64);
 }
 
-}  // namespace manzana::draw
+}  // namespace manzana::foliage

@@ -1,0 +1,148 @@
+// The GPU's selection against the CPU's, to the bit.
+#include <catch2/catch.hpp>
+#include <cstring>
+
+#include "foliage/detail.h"
+#include "foliage/generate.h"
+#include "foliage/gl/extract.h"
+#include "foliage/import/species.h"
+#include "foliage/prepare.h"
+#include "gl/context.h"
+#include "gl/error_log.h"
+#include "tests/support/random.h"
+
+namespace manzana::foliage {
+namespace {
+
+const std::vector<PreparedPlant>& plants() {
+  static const std::vector<PreparedPlant> all = [] {
+    std::vector<PreparedPlant> made;
+    for (const char* name : {"broadleaf", "conifer", "shrub"})
+      made.push_back(prepare(grow_plant(builtin_species(name), 7), {.quads_per_cell = 100}));
+    return made;
+  }();
+  return all;
+}
+
+struct Forest {
+  std::vector<TreeSite> sites;
+  std::vector<Vec4> rows;  // of the blocks
+  std::vector<Run> runs;
+};
+
+/// Trees near and far, in blocks turned and moved; every other run of them in view.
+Forest make_forest(std::uint32_t trees, std::uint64_t seed) {
+  constexpr std::uint32_t kBlocks = 9;
+  support::Random random(seed);
+  Forest forest;
+  for (std::uint32_t b = 0; b < kBlocks; ++b) {
+    const auto angle = static_cast<float>(random.within(-3, 3));
+    const auto x = static_cast<float>(random.within(-300, 300)), y = static_cast<float>(random.within(-300, 300));
+    forest.rows.push_back({std::cos(angle), -std::sin(angle), 0, x});
+    forest.rows.push_back({std::sin(angle), std::cos(angle), 0, y});
+    forest.rows.push_back({0, 0, 1, -1.7F});
+  }
+  for (std::uint32_t i = 0; i < trees; ++i) {
+    const auto kind = static_cast<std::uint32_t>(random.within(0, 3));
+    const auto height = static_cast<float>(random.within(1, 30)), radius = static_cast<float>(random.within(0.5, 8));
+    const double far = std::exp(random.within(0, 9)), yaw = random.within(-7, 7);
+    TreeSite site = make_site(plants()[kind], kind, height, radius, static_cast<float>(yaw), seed + i);
+    site.position = {static_cast<float>(far * std::cos(yaw)), static_cast<float>(far * std::sin(3 * yaw)), 0};
+    site.block = static_cast<std::uint32_t>(random.within(0, kBlocks));
+    forest.sites.push_back(site);
+  }
+  for (std::uint32_t first = 0; first < trees;) {
+    const std::uint32_t last = std::min(trees, first + 1 + static_cast<std::uint32_t>(random.within(0, 40)));
+    forest.runs.push_back({first, last});
+    first = last + static_cast<std::uint32_t>(random.within(0, 20));
+  }
+  return forest;
+}
+
+template <class T>
+std::vector<T> read(const gl::Buffer& buffer, std::size_t n) {
+  std::vector<T> values(n);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glGetNamedBufferSubData(buffer.name(), 0, static_cast<GLsizeiptr>(n * sizeof(T)), values.data());
+  return values;
+}
+
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+/// What `extract` is told of the forest; the buffers live as long as this.
+struct Uploaded {
+  gl::Buffer rows, runs;
+  TreesInView view;
+};
+
+Uploaded upload(const Forest& forest) {
+  std::vector<glm::uvec2> runs;
+  Uploaded up;
+  for (const Run& run : forest.runs) {
+    runs.emplace_back(run.first, up.view.trees);
+    up.view.trees += run.size();
+  }
+  up.rows = gl::make_buffer(std::as_bytes(std::span(forest.rows)));
+  up.runs = gl::make_buffer(std::as_bytes(std::span(runs)));
+  up.view.buffer = up.runs.name();
+  up.view.runs = static_cast<std::uint32_t>(runs.size());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kBlockRowsBinding, up.rows.name());
+  return up;
+}
+
+/// The primitives that the groups of a list name, each as (item, rank), in order.
+std::vector<glm::uvec2> expand(const std::vector<glm::uvec2>& groups, std::size_t first, std::size_t last,
+                               std::uint32_t size, const std::vector<Item>& items) {
+  std::vector<glm::uvec2> all;
+  for (std::size_t g = first; g < last; ++g)
+    for (std::uint32_t rank = groups[g].y; rank < std::min(groups[g].y + size, items[groups[g].x].count); ++rank)
+      all.emplace_back(groups[g].x, rank);
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("the GPU chooses what its twin on the CPU does to the bit") {
+  const gl::HeadlessContext context;
+  gl::ErrorLog log;
+  PlantStore store(plants());
+  const auto trees = GENERATE(1U, 63U, 1500U);
+  const auto law = GENERATE(Law::full, Law::ours, Law::prune);
+  const auto error_px = GENERATE(0.4, 1.0, 5.0);
+  const std::uint64_t seed = trees + static_cast<std::uint64_t>(error_px * 10);
+  INFO("trees " << trees << " law " << name_of(law) << " error " << error_px << " seed " << seed);
+  const Forest forest = make_forest(trees, seed);
+  set_details(store, make_details(plants(), {.focal_px = 700, .error_px = error_px, .law = law}));
+  Selection expected;
+  select(store.table, forest.sites, forest.rows, forest.runs, expected);
+
+  Extractor extractor(forest.sites, {});
+  const Uploaded up = upload(forest);
+  extract(extractor, store, up.view);
+  REQUIRE(up.view.trees == expected.trees.size());
+  CHECK(same_bits(read<TreeRecord>(extractor.trees, expected.trees.size()), expected.trees));
+  const auto totals = read<glsl::Totals>(extractor.totals, 1).front();
+  REQUIRE(totals.items == expected.items.size());
+  const auto items = read<Item>(extractor.items, expected.items.size());
+  CHECK(same_bits(items, expected.items));
+
+  const Shown shown = read_shown(extractor), counted = count_shown(expected);
+  CHECK(shown.bark == counted.bark);
+  CHECK(shown.leaves == counted.leaves);
+  CHECK(shown.lines == counted.lines);
+  CHECK(shown.points == counted.points);
+  const auto groups = read<glm::uvec2>(extractor.groups, extractor.capacity.quad_groups + totals.groups.y);
+  const auto quads = expand(groups, 0, totals.groups.x, glsl::kQuadGroup, items);
+  std::vector<glm::uvec2> wanted;
+  for (std::uint32_t i = 0; i < items.size(); ++i)
+    for (std::uint32_t rank = 0; items[i].kind <= glsl::kLeaves && rank < items[i].count; ++rank)
+      wanted.emplace_back(i, rank);
+  const std::size_t most = std::size_t{extractor.capacity.quad_groups} * glsl::kQuadGroup;
+  if (wanted.size() < most / 2) CHECK(same_bits(quads, wanted));
+  CHECK(log.messages().empty());
+}
+
+}  // namespace manzana::foliage
