@@ -9,10 +9,11 @@
 namespace manzana::walkthrough {
 
 /// Times by a steady clock. cull_us: find_visible alone; update_us: find_cars alone; draw_ms: from there to the end of
-/// glFinish (where the device is waited for), without read-back. triangles: submitted.
+/// glFinish (where the device is waited for), without read-back. triangles, points: submitted.
 struct FrameRow {
   double cull_us = 0, update_us = 0, draw_ms = 0;
-  std::uint64_t blocks_visible = 0, buildings_visible = 0, trees_visible = 0, cars_visible = 0, triangles = 0;
+  std::uint64_t blocks_visible = 0, buildings_visible = 0, trees_visible = 0, cars_visible = 0, triangles = 0,
+                points = 0;
   double frame_ms() const { return cull_us / 1000 + update_us / 1000 + draw_ms; }
 };
 

@@ -58,6 +58,7 @@ void draw_times(const PanelState& panel, const Stage& stage) {
               stage.scene.trees.table.size());
   ImGui::Text("cars      %8llu of %u", static_cast<unsigned long long>(s.cars_visible), stage.scene.traffic.cars());
   ImGui::Text("triangles %8llu", static_cast<unsigned long long>(s.triangles));
+  ImGui::Text("points    %8llu", static_cast<unsigned long long>(s.points));
 }
 
 void draw_layers(draw::Layers& layers) {

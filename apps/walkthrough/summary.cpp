@@ -21,6 +21,7 @@ Json medians(std::span<const FrameRow> rows) {
           {"trees_visible", median(&FrameRow::trees_visible)},
           {"cars_visible", median(&FrameRow::cars_visible)},
           {"triangles", median(&FrameRow::triangles)},
+          {"points", median(&FrameRow::points)},
           {"frame_ms", median(&FrameRow::frame_ms)}};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 #include <stdexcept>
 
 #include "gl/program.h"
@@ -91,6 +92,7 @@ Extractor::Extractor(std::span<const TreeSite> all, const ExtractLimits& limits)
       groups(make_room<glm::uvec2>(std::size_t{capacity.quad_groups} + capacity.line_groups + capacity.point_groups)),
       commands(gl::make_buffer(static_cast<std::size_t>(command_places(capacity).points + kCommandBytes))),
       totals(make_room<Totals>(1)),
+      shown(std::make_unique<gl::Readback>(sizeof(Totals::shown))),
       tree_sums(make_sums(all.size())),
       item_sums(make_sums(limits.items)),
       place(make_pass("place", shaders::place_comp)),
@@ -124,12 +126,13 @@ void extract(Extractor& e, const PlantStore& store, const TreesInView& view) {
   dispatch_indirect(e.scan, offsetof(Totals, per_block));
   dispatch(e.scan_blocks, 1);
   dispatch_indirect(e.expand, offsetof(Totals, per_item));
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  e.shown->copy(e.totals, offsetof(Totals, shown));
 }
 
-Shown read_shown(const Extractor& extractor) {
-  glm::uvec4 shown;
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glGetNamedBufferSubData(extractor.totals.name(), offsetof(Totals, shown), sizeof shown, &shown);
+Shown newest_shown(Extractor& extractor) {
+  glm::uvec4 shown(0);
+  if (const std::byte* bytes = extractor.shown->newest()) std::memcpy(&shown, bytes, sizeof shown);
   return {shown.x, shown.y, shown.z, shown.w};
 }
 

@@ -6,10 +6,12 @@
 ///   extract(extractor, store, {stream.name(), offset, runs, trees});
 ///   draw_plants(programs, store, extractor, focal_px);          // foliage/gl/draw_plants.h
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "foliage/gl/plant_store.h"
 #include "gl/buffer.h"
+#include "gl/readback.h"
 
 namespace manzana::foliage {
 
@@ -39,6 +41,8 @@ struct Extractor {
   glsl::Capacity capacity;
   gl::Buffer sites, trees, items, groups, commands, totals;
 
+  std::unique_ptr<gl::Readback> shown;
+
   struct Sums {
     gl::Buffer offsets, blocks;
   };
@@ -49,8 +53,8 @@ struct Extractor {
 /// Needs the blocks' rows bound to kBlockRowsBinding. No allocation, no wait.
 void extract(Extractor& extractor, const PlantStore& store, const TreesInView& view);
 
-/// What the last extraction chose. Waits for the GPU; not for use in a frame.
-Shown read_shown(const Extractor& extractor);
+/// What was chosen some frames ago, by the newest that the GPU has finished; no wait. Zeros before the first.
+Shown newest_shown(Extractor& extractor);
 
 /// Where commands begin in Extractor::commands, in bytes.
 struct CommandPlaces {

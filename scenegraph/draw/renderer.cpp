@@ -166,7 +166,7 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const cu
   return counts;
 }
 
-foliage::Shown Renderer::read_trees_shown() const { return read_shown(state_->trees); }
+foliage::Shown Renderer::trees_shown() const { return newest_shown(state_->trees); }
 
 void Renderer::present(unsigned framebuffer) {
   const gl::Target& target = state_->target;

@@ -64,8 +64,8 @@ class Renderer {
   void resize(Size size);  ///< allocates the framebuffer; at least 1 x 1
   /// Chooses levels and draws into the renderer's own framebuffer.
   FrameCounts draw(const Scene& scene, const VisibleSets& sets, const culling::View& view, const DrawOptions& options);
-  /// What the last frame drew of trees, not in its counts. Waits for the GPU; not for use in a frame.
-  foliage::Shown read_trees_shown() const;
+  /// What was drawn of trees, by the newest frame that the GPU has finished: the last one after glFinish.
+  foliage::Shown trees_shown() const;
   void present(unsigned framebuffer);  ///< copies the picture there, same size, at (0, 0)
   /// The picture as RGB bytes, rows from the top. Waits for the GPU; not for use in a frame.
   std::vector<unsigned char> read_pixels();

@@ -104,9 +104,8 @@ Drawn draw_tree_shadows(const TreeLayerGpu& layer) {
   return draw_shadows(layer.shadows, layer.trees_in_view);
 }
 
-foliage::Shown read_shown(const TreeLayerGpu& layer) {
-  if (layer.trees_in_view == 0) return {};
-  return read_shown(layer.extractor);
+foliage::Shown newest_shown(TreeLayerGpu& layer) {
+  return layer.trees_in_view == 0 ? foliage::Shown{} : newest_shown(layer.extractor);
 }
 
 }  // namespace manzana::draw

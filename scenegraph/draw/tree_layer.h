@@ -29,7 +29,7 @@ Drawn draw_trees(const TreeLayerGpu& layer, bool alpha_to_coverage);
 /// Soft dark ground under the trees, over the surfaces.
 Drawn draw_tree_shadows(const TreeLayerGpu& layer);
 
-/// What the last extraction chose. Waits for the GPU; not for use in a frame.
-foliage::Shown read_shown(const TreeLayerGpu& layer);
+/// Of the newest frame that the GPU has finished; no wait.
+foliage::Shown newest_shown(TreeLayerGpu& layer);
 
 }  // namespace manzana::draw
