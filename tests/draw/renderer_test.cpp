@@ -1,6 +1,8 @@
 // Pictures whose content is known: what stands where, what hides what.
 #include "scenegraph/draw/renderer.h"
 
+#include <glad/gl.h>
+
 #include <catch2/catch.hpp>
 #include <new>
 
@@ -212,7 +214,7 @@ TEST_CASE("counts say what was submitted") {
   CHECK(all.buildings == 1);
   CHECK(all.surfaces == 1);
   CHECK(all.trees == 1);
-  CHECK(all.commands == 6);  // trees: quads, lines and points, whatever is in them; and their shadows
+  CHECK(all.commands == 6);            // trees: quads, lines and points, whatever is in them; and their shadows
   CHECK(all.triangles == 10 + 2 + 2);  // without the tree's
   glFinish();
   CHECK(renderer.trees_shown().leaves == 24);

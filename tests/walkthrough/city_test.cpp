@@ -35,7 +35,7 @@ double median_triangles(const std::vector<FrameRow>& rows) {
   return apps::quantile(column(std::span<const FrameRow>(rows), &FrameRow::triangles), 0.5);
 }
 
-std::vector<unsigned char> picture(const Scene& scene, const std::vector<foliage::PlantModel>& plants,
+std::vector<unsigned char> picture(const Scene& scene, const std::vector<foliage::PreparedPlant>& plants,
                                    const CameraPose& pose) {
   Stage stage(scene, plants, draw::quality_named("low"), {320, 180});
   draw_frame(stage, view_of(scene.frame, pose, stage.aspect()), 5);
@@ -59,7 +59,7 @@ TEST_CASE("city: along pina the tree submits at most 0.40 of all triangles, leve
 
 TEST_CASE("city: at the pole and on the antimeridian the pictures are the same") {
   const gl::HeadlessContext context;
-  const std::vector<foliage::PlantModel> plants = load_plants({});
+  const std::vector<foliage::PreparedPlant> plants = load_plants({});
   const Imported home = town_at({41.65, -0.88, 0});
   const CameraPath path = builtin_path("tour", home.scene);
   const CameraPose street = pose_at(path, path.begin() + 0.1 * path.duration());
