@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "foliage/random.h"
+#include "foliage/raster.h"
 
 namespace manzana::foliage {
 namespace {
@@ -16,7 +17,10 @@ constexpr int kPixels = 96;
 class Raster {
  public:
   Raster(const Silhouette& silhouette, float angle)
-      : silhouette_(silhouette), across_(std::cos(angle), std::sin(angle), 0), hit_(kPixels * kPixels, false) {}
+      : silhouette_(silhouette),
+        holes_(silhouette.leaf),
+        across_(std::cos(angle), std::sin(angle), 0),
+        hit_(kPixels * kPixels, false) {}
 
   void draw(const MeshPart& part, bool leaf) {
     for (std::size_t t = 0; t + 2 < part.indices.size(); t += 3)
@@ -32,33 +36,16 @@ class Raster {
     return Vec2(0.5F + 0.5F * glm::dot(p, across_) / size.radius, p.z / size.height) * static_cast<float>(kPixels);
   }
 
-  bool opaque(const Vec2& uv) const {
-    const Image& image = silhouette_.leaf;
-    const auto at = [&](float v) {
-      return static_cast<std::size_t>(
-          std::clamp(static_cast<int>((v - std::floor(v)) * static_cast<float>(image.size)), 0, image.size - 1));
-    };
-    return image.rgba[4 * (at(uv.y) * static_cast<std::size_t>(image.size) + at(uv.x)) + 3] >= 128;
-  }
-
   void triangle(const MeshVertex& a, const MeshVertex& b, const MeshVertex& c, bool leaf) {
-    const Vec2 pa = project(a.position), pb = project(b.position) - pa, pc = project(c.position) - pa;
-    const float area = pb.x * pc.y - pb.y * pc.x;
-    if (std::abs(area) < 1e-9F) return;
-    const Vec2 low = glm::min(glm::min(Vec2(0), pb), pc) + pa, high = glm::max(glm::max(Vec2(0), pb), pc) + pa;
-    const auto pixel = [](float v) { return static_cast<int>(std::clamp(std::ceil(v - 0.5F), 0.0F, 1.0F * kPixels)); };
-    for (int y = pixel(low.y); y < pixel(high.y); ++y) {
-      for (int x = pixel(low.x); x < pixel(high.x); ++x) {
-        const Vec2 p = Vec2(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F) - pa;
-        const float v = (p.x * pc.y - p.y * pc.x) / area, w = (pb.x * p.y - pb.y * p.x) / area;
-        if (v < 0 || w < 0 || v + w > 1) continue;
-        if (leaf && !opaque(a.uv + (b.uv - a.uv) * v + (c.uv - a.uv) * w)) continue;
-        hit_[static_cast<std::size_t>(y * kPixels + x)] = true;
-      }
-    }
+    for_each_pixel({project(a.position), project(b.position), project(c.position)}, kPixels,
+                   [&](int x, int y, float v, float w) {
+                     if (!leaf || holes_.opaque(a.uv + (b.uv - a.uv) * v + (c.uv - a.uv) * w))
+                       hit_[static_cast<std::size_t>(y * kPixels + x)] = true;
+                   });
   }
 
   const Silhouette& silhouette_;
+  LeafHoles holes_;
   Vec3 across_;
   std::vector<bool> hit_;
 };

@@ -1,74 +1,189 @@
 #include "foliage/leaf_cloud.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <numeric>
 
-#include "foliage/leaf_quads.h"
+#include "foliage/leaf_form.h"
+#include "foliage/leaf_points.h"
+#include "foliage/leaf_scale.h"
+#include "foliage/obb_cells.h"
 #include "foliage/random.h"
 
 namespace manzana::foliage {
 namespace {
 
-/// 0 .. count - 1, by hash.
-std::vector<std::uint32_t> random_order(std::uint32_t count, std::uint64_t seed) {
-  std::vector<std::uint32_t> order(count);
+/// How much longer than a leaf an organ stays, as leaves are taken away. [Deussen 2005, section 10: visual importance]
+std::uint64_t importance(Organ organ) { return organ == Organ::leaf ? 1 : 3; }
+
+/// The best of so many draws: the order of such keys is a random one in which an organ that is three times as important
+/// is three times as likely to come next. [Efraimidis and Spirakis, Weighted random sampling with a reservoir, 2006]
+std::uint64_t random_key(std::uint64_t seed, std::uint64_t row, std::uint64_t weight) {
+  std::uint64_t best = 0;
+  for (std::uint64_t draw = 0; draw < weight; ++draw) best = std::max(best, hash(hash(seed, row), draw));
+  return best;
+}
+
+/// Rows in the order of their keys, the greatest first.
+std::vector<std::uint32_t> order_of(const std::vector<std::uint64_t>& keys) {
+  std::vector<std::uint32_t> order(keys.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::pair(hash(seed, a), a) < std::pair(hash(seed, b), b);
-  });
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return keys[a] > keys[b]; });
   return order;
 }
 
-void append_cell(const LeafQuads& source, const std::vector<std::uint32_t>& leaves, PreparedPlant& ready) {
-  LeafCell cell{};
-  cell.axes = Mat3(1);
-  cell.quads.first = static_cast<std::uint32_t>(ready.leaves.size());
-  Vec3 low(3e38F), high(-3e38F);
-  for (const std::uint32_t leaf : leaves) {
-    for (std::uint32_t q = source.leaves[leaf].first; q < source.leaves[leaf].last; ++q) {
-      for (const auto& corner : source.quads[q].corners)
-        low = glm::min(low, corner.position), high = glm::max(high, corner.position);
-      ready.leaves.push_back(source.quads[q]);
+/// Fills a PreparedPlant from leaves, step by step.
+class LeafCloud {
+ public:
+  LeafCloud(const Plant& plant, const PrepareOptions& options, PreparedPlant& ready)
+      : plant_(plant), options_(options), ready_(ready), points_(plant.leaf_image), source_(leaf_quads(plant)) {}
+
+  void run() {
+    if (source_.quads.empty()) return;
+    make_cells();
+    shuffle();
+    make_points();
+    make_lines();
+    ready_.leaf_scale = fit_leaf_scale(ready_).scale;
+  }
+
+ private:
+  void make_cells() {
+    std::vector<std::uint64_t> keys;
+    for (std::size_t i = 0; i < source_.leaves.size(); ++i)
+      keys.push_back(random_key(options_.seed, i, importance(plant_.terminals[i].organ)));
+    for (std::vector<std::uint32_t>& cell : split_cells(source_, options_.quads_per_cell)) {
+      std::stable_sort(cell.begin(), cell.end(), [&](std::uint32_t a, std::uint32_t b) { return keys[a] > keys[b]; });
+      append_cell(cell);
     }
   }
-  cell.quads.last = static_cast<std::uint32_t>(ready.leaves.size());
-  cell.centre = 0.5F * (low + high);
-  cell.half = 0.5F * (high - low) * 1.00001F + Vec3(1e-5F);
-  ready.cells.push_back(cell);
-}
 
-float area_of(const Vec3& a, const Vec3& b, const Vec3& c) { return 0.5F * glm::length(glm::cross(b - a, c - a)); }
-
-void append_points(const PlantQuad& quad, PreparedPlant& ready) {
-  const auto& c = quad.corners;
-  for (std::uint32_t i = 0; i < 4; ++i) {
-    const auto& third = c[i < 2 ? 1 : 3].position;
-    const float area = area_of(c[0].position, third, c[2].position);
-    const Vec3 middle = (c[0].position + third + c[2].position) / 3.0F;
-    LeafPoint point{};
-    point.position = glm::mix(middle, c[i % 2 == 0 ? 0 : 2].position, 0.3F);
-    point.area = 0.25F * area;
-    point.normal = quad.normals[0];
-    point.colour = 0xff3f7f3fU;
-    point.shade = static_cast<float>(quad.shades[0]) / 255;
-    ready.points.push_back(point);
-    if (i % 2 == 0) ready.leaf_area_m2 += area;
+  void append_cell(const std::vector<std::uint32_t>& leaves) {
+    const auto first = static_cast<std::uint32_t>(ready_.leaves.size());
+    std::vector<Vec3d> corners;
+    for (const std::uint32_t leaf : leaves) {
+      for (std::uint32_t q = source_.leaves[leaf].first; q < source_.leaves[leaf].last; ++q) {
+        for (const PlantQuad::Corner& corner : source_.quads[q].corners) corners.emplace_back(corner.position);
+        ready_.leaves.push_back(source_.quads[q]);
+        leaf_of_.push_back(leaf);
+      }
+    }
+    const OrientedBox box = fit_box(corners);
+    ready_.cells.push_back({box.centre, box.axes, box.half, {first, static_cast<std::uint32_t>(ready_.leaves.size())}});
   }
-}
+
+  Organ organ(std::uint32_t quad) const { return plant_.terminals[leaf_of_[quad]].organ; }
+
+  /// Large quads first: they stay quads when most others are points.
+  void shuffle() {
+    double sum = 0;
+    std::vector<double> areas;
+    for (const PlantQuad& quad : ready_.leaves) areas.push_back(quad_area(quad)), sum += areas.back();
+    mean_area_ = sum / static_cast<double>(areas.size());
+    std::vector<std::uint64_t> keys;
+    for (std::uint32_t quad = 0; quad < areas.size(); ++quad)
+      keys.push_back(random_key(options_.seed + 1, quad, importance(organ(quad))));
+    ready_.shuffled = order_of(keys);
+    const auto large = [&](std::uint32_t quad) { return areas[quad] > kLarge * mean_area_; };
+    const auto end = std::stable_partition(ready_.shuffled.begin(), ready_.shuffled.end(), large);
+    ready_.large_quads = static_cast<std::uint32_t>(end - ready_.shuffled.begin());
+  }
+
+  void make_points() {
+    PointCloud finest = large_points();
+    ready_.large_points = static_cast<std::uint32_t>(finest.size());
+    for (std::uint32_t i = ready_.large_quads; i < ready_.shuffled.size(); ++i) {
+      const std::uint32_t quad = ready_.shuffled[i];
+      const std::array<CloudPoint, 4> four = points_.four(ready_.leaves[quad], organ(quad));
+      finest.insert(finest.end(), four.begin(), four.end());
+    }
+    append_level(finest);
+    for (const PointCloud& level : merged_levels(finest)) append_level(level);
+    ready_.leaf_area_m2 = 2 * ready_.point_levels[0].area;
+  }
+
+  /// From all large quads by turns, each in its own order.
+  PointCloud large_points() {
+    std::vector<std::pair<double, CloudPoint>> ranked;
+    for (std::uint32_t i = 0; i < ready_.large_quads; ++i) {
+      const std::uint32_t quad = ready_.shuffled[i];
+      const PointCloud many = points_.many(ready_.leaves[quad], organ(quad), points_on(quad), hash(options_.seed, i));
+      for (std::size_t k = 0; k < many.size(); ++k)
+        ranked.emplace_back((static_cast<double>(k) + 0.5) / static_cast<double>(many.size()), many[k]);
+    }
+    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    PointCloud out;
+    for (const auto& [rank, point] : ranked) out.push_back(point);
+    return out;
+  }
+
+  std::uint32_t points_on(std::uint32_t quad) const {
+    constexpr double kMost = 1024;
+    return static_cast<std::uint32_t>(std::min(4 * quad_area(ready_.leaves[quad]) / mean_area_, kMost));
+  }
+
+  void append_level(const PointCloud& cloud) {
+    const auto first = static_cast<std::uint32_t>(ready_.points.size());
+    double sum = 0;
+    for (const CloudPoint& point : cloud) {
+      ready_.points.push_back(packed(point));
+      sum += static_cast<double>(point.area);
+    }
+    ready_.point_levels.push_back({{first, static_cast<std::uint32_t>(ready_.points.size())}, static_cast<float>(sum)});
+  }
+
+  /// Where most of the leaves' area is of thin ones.
+  void make_lines() {
+    std::vector<LeafForm> forms;
+    double all = 0, thin = 0;
+    for (const Run& leaf : source_.leaves) {
+      const auto quads = std::span(source_.quads).subspan(leaf.first, leaf.size());
+      forms.push_back(leaf_form(quads, alpha_of(quads)));
+      for (const PlantQuad& quad : quads) all += quad_area(quad), thin += forms.back().thin() ? quad_area(quad) : 0;
+    }
+    if (2 * thin <= all) return;
+    for (const std::uint32_t quad : ready_.shuffled) {
+      const PlantQuad& of = ready_.leaves[quad];
+      ready_.leaf_lines.push_back(leaf_line(of, forms[leaf_of_[quad]].axis, alpha_of(std::span(&of, 1))));
+      ready_.leaf_lines.back().colour = colour_of(of);
+    }
+  }
+
+  double leaf_area(const PlantQuad& quad) {
+    double sum = 0;
+    for (const CloudPoint& point : points_.four(quad, Organ::leaf)) sum += 2 * static_cast<double>(point.area);
+    return sum;
+  }
+
+  /// Share of the quads that is leaf.
+  double alpha_of(std::span<const PlantQuad> quads) {
+    double leaf = 0, all = 0;
+    for (const PlantQuad& quad : quads) leaf += leaf_area(quad), all += quad_area(quad);
+    return all > 0 ? std::min(leaf / all, 1.0) : 0;
+  }
+
+  std::uint32_t colour_of(const PlantQuad& quad) {
+    const std::array<CloudPoint, 4> four = points_.four(quad, Organ::leaf);
+    const PointCloud cloud(four.begin(), four.end());
+    const PointCloud one = merged(cloud, std::numeric_limits<float>::infinity());
+    return one.empty() ? 0xff000000U : packed(one.front()).colour;
+  }
+
+  static constexpr double kLarge = 8;  // times the mean area of quads
+
+  const Plant& plant_;
+  const PrepareOptions& options_;
+  PreparedPlant& ready_;
+  QuadPoints points_;
+  LeafQuads source_;
+  std::vector<std::uint32_t> leaf_of_;  // for each of ready_.leaves its terminal
+  double mean_area_ = 0;
+};
 
 }  // namespace
 
 void prepare_leaves(const Plant& plant, const PrepareOptions& options, PreparedPlant& ready) {
-  const LeafQuads source = leaf_quads(plant);
-  if (source.quads.empty()) return;
-  append_cell(source, random_order(static_cast<std::uint32_t>(source.leaves.size()), options.seed), ready);
-  ready.shuffled = random_order(static_cast<std::uint32_t>(ready.leaves.size()), options.seed + 1);
-  for (const std::uint32_t quad : ready.shuffled) append_points(ready.leaves[quad], ready);
-  const Run all{0, static_cast<std::uint32_t>(ready.points.size())};
-  ready.point_levels.push_back({all, 0.5F * ready.leaf_area_m2});
-  for (std::size_t i = 0; i < ready.leaf_scale.size(); ++i)
-    ready.leaf_scale[i] = std::exp2(0.25F * static_cast<float>(i));
+  LeafCloud(plant, options, ready).run();
 }
 
 }  // namespace manzana::foliage

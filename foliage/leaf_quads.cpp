@@ -114,4 +114,12 @@ LeafQuads leaf_quads(const Plant& plant) {
   return out;
 }
 
+double quad_area(const PlantQuad& quad) {
+  const auto corner = [&](std::size_t k) { return Vec3d(quad.corners[k].position); };
+  const auto half = [&](std::size_t b, std::size_t c) {
+    return 0.5 * glm::length(glm::cross(corner(b) - corner(0), corner(c) - corner(0)));
+  };
+  return half(1, 2) + half(2, 3);
+}
+
 }  // namespace manzana::foliage

@@ -17,4 +17,6 @@ LeafQuads leaf_quads(const Plant& plant);
 
 inline bool is_triangle(const PlantQuad& quad) { return quad.corners[2].position == quad.corners[3].position; }
 
+double quad_area(const PlantQuad& quad);  ///< m2, one side, holes and all
+
 }  // namespace manzana::foliage

@@ -78,11 +78,15 @@ void check_shuffled(const PreparedPlant& plant) {
 }
 
 void check_cells(const PreparedPlant& plant) {
+  std::uint32_t end = 0;
   for (std::size_t i = 0; i < plant.cells.size(); ++i) {
     const LeafCell& cell = plant.cells[i];
     check_run("cell", i, cell.quads, plant.leaves.size());
+    if (cell.quads.first != end) fail("cell", i, "does not begin where the one before ends");
+    end = cell.quads.last;
     if (!sane(cell.centre) || !sane(cell.axes) || !sane(cell.half)) fail("cell", i, "is not finite or out of range");
   }
+  if (end != plant.leaves.size()) fail("not every leaf quad has a cell");
   const Visibility& seen = plant.visibility;
   if (seen.side > kMostDirections) fail("visibility has too many directions");
   if (seen.share.size() != plant.cells.size() * seen.side * seen.side)
@@ -96,8 +100,13 @@ void check_points(const PreparedPlant& plant) {
     if (!(plant.point_levels[i].area >= 0) || std::isinf(plant.point_levels[i].area))
       fail("point level", i, "is not finite or out of range");
   }
-  if (!plant.point_levels.empty() && plant.point_levels[0].points.size() != 4 * plant.leaves.size())
+  if (plant.large_quads > plant.leaves.size()) fail("more quads are large than there are");
+  const std::size_t small = plant.leaves.size() - plant.large_quads;
+  if (!plant.point_levels.empty() && plant.point_levels[0].points.size() != 4 * small + plant.large_points)
     fail("point level 0 has not four points a quad");
+  check_numbers("leaf line", plant.leaf_lines);
+  if (!plant.leaf_lines.empty() && plant.leaf_lines.size() != plant.leaves.size())
+    fail("leaf lines are not one a quad");
 }
 
 }  // namespace

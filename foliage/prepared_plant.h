@@ -45,9 +45,9 @@ struct LineSegment {
   Vec3 b;
   float radius_b;
   float shade;
-  std::uint32_t level;   ///< of its branch
-  std::uint32_t branch;  ///< its row in Plant::branches
-  std::uint32_t unused = 0;
+  std::uint32_t level;       ///< of its branch
+  std::uint32_t branch;      ///< its row in Plant::branches
+  std::uint32_t colour = 0;  ///< of leaf_lines, as a LeafPoint's
 };
 static_assert(sizeof(LineSegment) == 48);
 
@@ -75,7 +75,7 @@ struct LeafCell {
   Run quads;  ///< of PreparedPlant::leaves; leaves in random order, quads of a leaf together
 };
 
-/// Points merged four to one, again and again. level 0: two a triangle.
+/// Points merged four to one, again and again. Level 0: two a triangle, more on large leaves.
 struct PointLevel {
   Run points;  ///< of PreparedPlant::points, in an order of which every prefix is spread over the crown
   float area;  ///< m2: the sum of its points'
@@ -98,10 +98,15 @@ struct PreparedPlant {
   std::vector<LineSegment> lines;  ///< most important branch first; in random order those between two levels
 
   std::vector<PlantQuad> leaves;
-  std::vector<LeafCell> cells;
-  std::vector<std::uint32_t> shuffled;  ///< all leaves' quads in one random order: for ways that know no cells
+  std::vector<LeafCell> cells;          ///< their runs are in order, apart, and cover all leaves
+  std::vector<std::uint32_t> shuffled;  ///< all leaves' quads, for ways that know no cells: the large ones, then the
+                                        ///< others, each in random order
+  std::uint32_t large_quads = 0;        ///< L, most often 0: the first so many of shuffled
   std::vector<LeafPoint> points;
-  std::vector<PointLevel> point_levels;  ///< finest first; level 0: points 4 i to 4 i + 3 are of quad shuffled[i]
+  std::uint32_t large_points = 0;        ///< M: points [0, M) are spread over all large quads
+  std::vector<PointLevel> point_levels;  ///< finest first; level 0: four points from M + 4 (i - L) on are of quad
+                                         ///< shuffled[i], i >= L
+  std::vector<LineSegment> leaf_lines;   ///< line i is of quad shuffled[i], where leaves are thin and long; else none
   float leaf_area_m2 = 0;                ///< of all leaf quads, one side, times alpha
   std::array<float, 17> leaf_scale{};    ///< linear size at u = 2^(-i/2) of the leaves, fitted to coverage
   Visibility visibility;

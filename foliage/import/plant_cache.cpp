@@ -43,8 +43,11 @@ void each_field(Plant& plant, Visit&& visit) {
   visit(plant.leaves);
   visit(plant.cells);
   visit(plant.shuffled);
+  visit(plant.large_quads);
   visit(plant.points);
+  visit(plant.large_points);
   visit(plant.point_levels);
+  visit(plant.leaf_lines);
   visit(plant.leaf_area_m2);
   visit(plant.leaf_scale);
   visit(plant.visibility.side);
