@@ -9,8 +9,8 @@
 #include "foliage/import/nearest_branch.h"
 #include "foliage/import/pieces.h"
 #include "foliage/import/plant_image.h"
-#include "foliage/import/simplify.h"
 #include "foliage/import/tube_shape.h"
+#include "foliage/simplify.h"
 
 namespace manzana::foliage {
 namespace {

@@ -7,7 +7,7 @@
 #include "foliage/import/gltf_files.h"
 #include "foliage/import/gltf_materials.h"
 #include "foliage/import/gltf_triangles.h"
-#include "foliage/import/simplify.h"
+#include "foliage/simplify.h"
 
 namespace manzana::foliage {
 namespace {

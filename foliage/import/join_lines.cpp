@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "foliage/import/nearest_branch.h"
-#include "foliage/import/sets.h"
+#include "foliage/sets.h"
 
 namespace manzana::foliage {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "foliage/import/sets.h"
+#include "foliage/sets.h"
 
 namespace manzana::foliage {
 namespace {

@@ -1,10 +1,10 @@
-#include "foliage/import/simplify.h"
+#include "foliage/simplify.h"
 
 #include <meshoptimizer.h>
 
 #include <algorithm>
 
-#include "foliage/import/sets.h"
+#include "foliage/sets.h"
 
 namespace manzana::foliage {
 namespace {
@@ -90,6 +90,17 @@ MeshPart simplified(const MeshPart& part, std::size_t triangles) {
   if (indices.size() > enough) indices = collapsed(part, joined_by_place(part), triangles);
   if (indices.size() > enough || indices.empty()) indices = best_merged_cells(part, triangles);
   return compact(part, indices);
+}
+
+Reduced simplified_within(const MeshPart& part, float error_m) {
+  const float scale =
+      part.indices.empty() ? 0 : meshopt_simplifyScale(positions(part), part.vertices.size(), sizeof(MeshVertex));
+  if (!(scale > 0)) return {part, 0};
+  std::vector<std::uint32_t> indices = part.indices;
+  float error = 0;
+  indices.resize(meshopt_simplify(indices.data(), indices.data(), indices.size(), positions(part), part.vertices.size(),
+                                  sizeof(MeshVertex), 0, error_m / scale, 0, &error));
+  return {compact(part, indices), error * scale};
 }
 
 MeshPart largest_piece(const MeshPart& part) {
