@@ -135,18 +135,23 @@ class Assembler {
     const Vec3d foot = foot_of(parts_);
     check_size(parts_, foot);
     for (std::uint32_t s = 0; s < parts_.size(); ++s) {
-      const SourcePart& part = parts_[s];
-      const auto first = static_cast<std::uint32_t>(list_.positions.size());
-      for (const Vec3d& p : part.positions) list_.positions.emplace_back(p - foot);
-      normals_.insert(normals_.end(), part.normals.begin(), part.normals.end());
-      list_.uvs.insert(list_.uvs.end(), part.uvs.begin(), part.uvs.end());
-      ids_.insert(ids_.end(), part.branch_ids.begin(), part.branch_ids.end());
-      ids_.resize(list_.positions.size(), kNoId);
-      for (const std::uint32_t i : part.indices) list_.corners.push_back(first + i);
+      std::vector<std::uint32_t> place(parts_[s].positions.size(), kUnused);
+      for (const std::uint32_t i : parts_[s].indices) {
+        if (place[i] == kUnused) place[i] = listed(parts_[s], i, foot);
+        list_.corners.push_back(place[i]);
+      }
       list_.source.resize(list_.corners.size() / 3, s);
     }
     const std::vector<std::uint32_t> place = joined_by_place(list_.positions);
     for (const std::uint32_t c : list_.corners) list_.joined.push_back(place[c]);
+  }
+
+  std::uint32_t listed(const SourcePart& part, std::uint32_t i, const Vec3d& foot) {
+    list_.positions.emplace_back(part.positions[i] - foot);
+    list_.uvs.push_back(part.uvs[i]);
+    normals_.push_back(part.normals[i]);
+    ids_.push_back(part.branch_ids.empty() ? kNoId : part.branch_ids[i]);
+    return static_cast<std::uint32_t>(list_.positions.size()) - 1;
   }
 
   std::int32_t id(std::uint32_t t) const { return ids_[list_.corners[3 * std::size_t{t}]]; }
@@ -245,6 +250,7 @@ class Assembler {
   }
 
   static constexpr std::int32_t kNoId = -1;
+  static constexpr std::uint32_t kUnused = ~0U;
 
   std::span<const SourcePart> parts_;
   Images images_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "foliage/import/pieces.h"
 #include "foliage/import/tube_shape.h"
@@ -49,7 +50,8 @@ std::vector<std::optional<Told>> told_parts(std::span<const SourcePart> parts,
 }
 
 /// Nothing for what is neither: crowns drawn as balls and cones, forked surfaces. Measured on real models: cards and
-/// flat leaves have a roundness up to 0.22, tubes from 0.57; tubes are slender from 10, balls up to 7.
+/// flat leaves, crossed ones too, have a roundness up to 0.3, tubes from 0.57; tubes are slender from 10, balls up
+/// to 7.
 std::optional<PlantPart> part_by_shape(const TubeShape& shape) {
   constexpr float kRound = 0.5F, kFlat = 0.35F, kSlender = 8, kStub = 3;
   if (shape.roundness < kFlat) return PlantPart::leaf;
@@ -90,7 +92,13 @@ class Classifier {
         unsure.push_back(piece);
     }
     const bool leaves = leaves_;
-    for (const auto piece : unsure) by_colour_or_rest(piece, leaves);
+    const std::set<int> coloured = green_materials(unsure);
+    for (const auto piece : unsure) {
+      if (coloured.count(material_of(piece)) > 0)
+        by_colour(piece);
+      else
+        set(piece, {leaves || on_ground(piece) ? PlantPart::branch : PlantPart::leaf, Reason::rest});
+    }
     return std::move(out_);
   }
 
@@ -99,19 +107,30 @@ class Classifier {
     for (const std::uint32_t t : triangles) out_.part[t] = told.part;
     const bool branch = told.part == PlantPart::branch;
     (branch ? out_.taken.branch : out_.taken.terminal)[static_cast<std::size_t>(told.reason)] += triangles.size();
-    leaves_ = leaves_ || !branch;
+    leaves_ = leaves_ || (!branch && !triangles.empty());
   }
 
-  void by_colour_or_rest(std::span<const std::uint32_t> piece, bool leaves_known) {
-    const int material = parts_[list_.source[piece[0]]].material;
-    std::vector<std::uint32_t> green, other;
-    for (const std::uint32_t t : piece) (is_green(image_(material), middle_uv(t)) ? green : other).push_back(t);
-    const PlantPart rest = leaves_known || on_ground(piece) ? PlantPart::branch : PlantPart::leaf;
-    set(green, {PlantPart::leaf, Reason::colour});
-    if (green.empty())
-      set(other, {rest, Reason::rest});
-    else
-      set(other, {PlantPart::branch, Reason::colour});
+  using Triangles = std::span<const std::uint32_t>;
+
+  int material_of(Triangles piece) const { return parts_[list_.source[piece[0]]].material; }
+  bool green(std::uint32_t t, int material) const { return is_green(image_(material), middle_uv(t)); }
+
+  /// Those in which something is green: there, what is not green is no leaf.
+  std::set<int> green_materials(const std::vector<Triangles>& pieces) const {
+    std::set<int> out;
+    for (const Triangles piece : pieces) {
+      const int material = material_of(piece);
+      if (std::any_of(piece.begin(), piece.end(), [&](std::uint32_t t) { return green(t, material); }))
+        out.insert(material);
+    }
+    return out;
+  }
+
+  void by_colour(Triangles piece) {
+    std::vector<std::uint32_t> leaf, other;
+    for (const std::uint32_t t : piece) (green(t, material_of(piece)) ? leaf : other).push_back(t);
+    set(leaf, {PlantPart::leaf, Reason::colour});
+    set(other, {PlantPart::branch, Reason::colour});
   }
 
   bool on_ground(std::span<const std::uint32_t> piece) const {

@@ -42,6 +42,7 @@ class Tracer {
     for (std::uint32_t& c : corners_)
       c = static_cast<std::uint32_t>(std::lower_bound(known.begin(), known.end(), c) - known.begin());
     middle_ = std::accumulate(places_.begin(), places_.end(), Vec3(0)) / static_cast<float>(places_.size());
+    long_ = long_direction(places_, middle_);
     connect();
   }
 
@@ -94,7 +95,7 @@ class Tracer {
   }
 
   /// The longest opening, or else what is at one end.
-  std::vector<std::uint32_t> seeds(int& openings) const {
+  std::vector<std::uint32_t> seeds(int& openings) {
     const Neighbours along(rim_, places_.size());
     std::vector<std::uint32_t> loop_of(places_.size(), kFar), best;
     float longest = 0;
@@ -113,20 +114,32 @@ class Tracer {
       }
       if (length > longest) longest = length, best = std::move(loop);
     }
-    return best.empty() ? end_vertices() : best;
+    sheet_ = !best.empty() && is_rim(best);
+    return best.empty() || sheet_ ? end_vertices() : best;
+  }
+
+  /// Round a sheet, from end to end; not the opening of a tube.
+  bool is_rim(const std::vector<std::uint32_t>& loop) const {
+    Vec2 part(HUGE_VALF, -HUGE_VALF);
+    for (const std::uint32_t v : loop) part = {std::min(part.x, along(v)), std::max(part.y, along(v))};
+    const Vec2 whole = ends();
+    return part.y - part.x > 0.5F * (whole.y - whole.x);
   }
 
   std::vector<std::uint32_t> end_vertices() const {
     constexpr float kEnd = 0.02F;  // of the length
-    const Vec3 along = long_direction(places_, middle_);
-    float low = HUGE_VALF, high = -HUGE_VALF;
-    for (const Vec3& p : places_) {
-      low = std::min(low, glm::dot(p - middle_, along));
-      high = std::max(high, glm::dot(p - middle_, along));
-    }
+    const Vec2 whole = ends();
     std::vector<std::uint32_t> out;
     for (std::uint32_t v = 0; v < places_.size(); ++v)
-      if (glm::dot(places_[v] - middle_, along) <= low + kEnd * (high - low)) out.push_back(v);
+      if (along(v) <= whole.x + kEnd * (whole.y - whole.x)) out.push_back(v);
+    return out;
+  }
+
+  float along(std::uint32_t v) const { return glm::dot(places_[v] - middle_, long_); }
+
+  Vec2 ends() const {
+    Vec2 out(HUGE_VALF, -HUGE_VALF);
+    for (std::uint32_t v = 0; v < places_.size(); ++v) out = {std::min(out.x, along(v)), std::max(out.y, along(v))};
     return out;
   }
 
@@ -174,18 +187,17 @@ class Tracer {
 
   /// From end to end along the longest direction.
   std::vector<CentrePoint> chord() const {
-    const Vec3 along = long_direction(places_, middle_);
-    float low = 0, high = 0, radius = 0;
-    for (const Vec3& p : places_) {
-      const float t = glm::dot(p - middle_, along);
-      low = std::min(low, t), high = std::max(high, t);
-      radius += glm::length(p - middle_ - along * t) / static_cast<float>(places_.size());
-    }
-    return {{middle_ + along * low, radius}, {middle_ + along * high, radius}};
+    const Vec2 whole = ends();
+    float radius = 0;
+    for (std::uint32_t v = 0; v < places_.size(); ++v)
+      radius += glm::length(places_[v] - middle_ - long_ * along(v)) / static_cast<float>(places_.size());
+    return {{middle_ + long_ * whole.x, radius}, {middle_ + long_ * whole.y, radius}};
   }
 
   void measure(TubeShape& shape) const {
+    constexpr float kBeside = 1e-3F;  // of a triangle's size: nearer to the line it has no side that faces away
     float facing = 0;
+    Vec3 normals(0);
     for (std::size_t i = 0; i + 2 < corners_.size(); i += 3) {
       const Vec3 &a = places_[corners_[i]], &b = places_[corners_[i + 1]], &c = places_[corners_[i + 2]];
       const Vec3 normal = glm::cross(b - a, c - a) * 0.5F;  // as long as the triangle is large
@@ -193,21 +205,26 @@ class Tracer {
       for (std::size_t k = 0; k < 3; ++k) out -= slices_[level_[corners_[i + k]]].position;
       const float length = glm::length(out);
       shape.area += glm::length(normal);
-      if (length > 0) facing += std::abs(glm::dot(normal, out)) / length;
+      normals += normal;
+      if (length > kBeside * std::sqrt(glm::length(normal))) facing += std::abs(glm::dot(normal, out)) / length;
     }
+    // A sheet is not rounder than it is rolled up.
+    if (sheet_) facing = std::min(facing, std::max(shape.area - glm::length(normals), 0.0F));
     shape.roundness = shape.area > 0 ? facing / shape.area : 0;
-    float length = 0, radius = 0;
+    float reach = 0, length = 0, radius = 0;
     for (std::size_t i = 0; i + 1 < shape.line.size(); ++i) {
       const CentrePoint &p = shape.line[i], &q = shape.line[i + 1];
       const float step = glm::length(q.position - p.position);
+      reach = std::max(reach, glm::length(q.position - shape.line[0].position));
       length += step, radius += step * 0.5F * (p.radius + q.radius);
     }
-    shape.slenderness = radius > 0 ? length * length / radius : 0;
+    shape.slenderness = radius > 0 ? reach * length / radius : 0;
   }
 
   std::vector<std::uint32_t> corners_;  // of places_, three a triangle
   std::vector<Vec3> places_;
-  Vec3 middle_{0};
+  Vec3 middle_{0}, long_{0};
+  bool sheet_ = false;
   std::vector<Edge> edges_, rim_;
   std::vector<std::uint32_t> level_;
   std::vector<CentrePoint> slices_;

@@ -11,7 +11,7 @@ namespace manzana::foliage {
 struct TubeShape {
   std::vector<CentrePoint> line;  ///< at least two points; either end first
   float roundness = 0;            ///< 1: every triangle faces away from the line; 0: they lie along it, as a card's do
-  float slenderness = 0;          ///< length over mean radius
+  float slenderness = 0;          ///< how far the line reaches from its end, over its mean radius
   int openings = 0;               ///< loops of edges that have one triangle only
   float area = 0;
 };
