@@ -1,0 +1,127 @@
+// The program from outside: exit codes, messages, files.
+#include <algorithm>
+#include <cstring>
+
+#include "foliage/import/plant_cache.h"
+#include "tests/support/data.h"
+#include "tests/support/program.h"
+
+namespace {
+
+using Path = std::filesystem::path;
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr double kSlower = 6, kLarger = 4;  // what the sanitizers cost
+#else
+constexpr double kSlower = 1, kLarger = 1;
+#endif
+
+Ended bake(const Path& folder, const std::string& source) {
+  return run_program(MANZANA_BAKE, folder, {"plant", source, "-o", folder / "out.plant"});
+}
+
+std::size_t lines_in(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// 0 with a plant that can be read back, or 1 with one line that names the file; little time and memory.
+void check_answer(const Path& file) {
+  const TemporaryFolder folder;
+  const Ended ended = bake(folder.path(), file);
+  CAPTURE(file, ended.code, ended.err, ended.cpu_s, ended.memory_mb);
+  CHECK((ended.code == 0 || ended.code == 1));
+  CHECK(ended.cpu_s < 5 * kSlower);
+  CHECK(ended.memory_mb < 400 * kLarger);
+  const Path out = folder.path() / "out.plant";
+  if (ended.code == 0) {
+    manzana::foliage::read_prepared(out);
+  } else {
+    CHECK(lines_in(ended.err) == 1);
+    CHECK(ended.err.starts_with("manzana-bake: " + file.string() + ": "));
+    CHECK_FALSE(std::filesystem::exists(out));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("bake program: a species is prepared, told of, and the same again") {
+  const TemporaryFolder folder;
+  const Ended ended = bake(folder.path(), MANZANA_SPECIES "/shrub.json");
+  CAPTURE(ended.err);
+  REQUIRE(ended.code == 0);
+  for (const char* said : {"branches ", "terminals ", "level 0 ", "leaves ", "points ", "seconds "})
+    CHECK_THAT(ended.out, Catch::Contains(said));
+  CHECK_THAT(ended.err, Catch::Contains("preparing: 100 %"));
+  const std::string first = read_all(folder.path() / "out.plant");
+  CHECK(manzana::foliage::read_prepared(folder.path() / "out.plant").name == "shrub");
+  REQUIRE(bake(folder.path(), MANZANA_SPECIES "/shrub.json").code == 0);
+  CHECK(read_all(folder.path() / "out.plant") == first);
+}
+
+TEST_CASE("bake program: help goes to stdout, wrong usage is 2") {
+  const TemporaryFolder folder;
+  CHECK_THAT(run_program(MANZANA_BAKE, folder.path(), {"--help"}).out, Catch::Contains("plant"));
+  CHECK(run_program(MANZANA_BAKE, folder.path(), {"plant", "a.glb"}).code == 2);
+}
+
+TEST_CASE("bake program: bad input is 1 and one line that names the file and the place") {
+  const TemporaryFolder folder;
+  const auto file = [&](const char* name, const std::string& text) {
+    std::ofstream(folder.path() / name, std::ios::binary) << text;
+    return (folder.path() / name).string();
+  };
+  const std::pair<std::string, const char*> cases[] = {
+      {folder.path() / "none.glb", "none.glb: no such file"},
+      {file("a.txt", ""), "a.txt: is no file of a kind"},
+      {file("a.json", "{"), "a.json: "},
+      {file("b.json", R"({"scael": 1})"), "b.json: species: scael: unknown key"},
+      {file("c.json", R"({"x": {"axiom": "F]", "angle": 1, "n": 1}})"), "c.json: x.axiom: ] without a ["},
+      {file("a.obj", "v 1 2 x\n"), "a.obj: line 1: \"x\" is no number"},
+      {file("a.glb", "glTF"), "a.glb: cut off"},
+  };
+  for (const auto& [source, says] : cases) {
+    const Ended ended = bake(folder.path(), source);
+    CAPTURE(source, ended.err);
+    CHECK(ended.code == 1);
+    CHECK(lines_in(ended.err) == 1);
+    CHECK_THAT(ended.err, Catch::StartsWith("manzana-bake: ") && Catch::Contains(says));
+    CHECK_FALSE(std::filesystem::exists(folder.path() / "out.plant"));
+  }
+}
+
+TEST_CASE("bake program: what cannot be written is told and leaves nothing") {
+  const TemporaryFolder folder;
+  const Ended ended = run_program(MANZANA_BAKE, folder.path(),
+                                  {"plant", MANZANA_SPECIES "/shrub.json", "-o", folder.path() / "no" / "out.plant"});
+  CHECK(ended.code == 1);
+  CHECK_THAT(ended.err, Catch::Contains("out.plant: cannot be written"));
+}
+
+TEST_CASE("bake program: every broken model and L-system ends with 0 or 1 and one line") {
+  for (const char* name : {"broken/gltf", "broken/treeparam"}) {
+    const auto folder = data_file(name);
+    if (!folder) return;
+    int files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(*folder)) {
+      if (entry.path().extension() == ".bin") continue;
+      check_answer(entry.path());
+      ++files;
+    }
+    CHECK(files >= 2);
+  }
+}
+
+TEST_CASE("bake program: the plants of the book") {
+  const auto file = data_file("treeparam/lsystems.json");
+  if (!file) return;
+  const TemporaryFolder folder;
+  const Ended several = bake(folder.path(), *file);
+  CHECK(several.code == 1);
+  CHECK_THAT(several.err, Catch::Contains("holds several L-systems: choose one of abop-1.24a, "));
+  for (const char* name : {"abop-1.24a", "abop-1.24c", "abop-1.24e", "abop-1.25-bush-3d", "abop-1.6-koch-island"}) {
+    const Ended ended = bake(folder.path(), file->string() + "#" + name);
+    CAPTURE(name, ended.err);
+    CHECK(ended.code == 0);
+    CHECK(manzana::foliage::read_prepared(folder.path() / "out.plant").name == name);
+  }
+}
