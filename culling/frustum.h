@@ -39,7 +39,7 @@ struct Plane {
 };
 
 /// Stands where a plane is missing: everything is inside it, nothing ever outside.
-inline constexpr PlaneD kNoPlane{{0, 0, 0}, std::numeric_limits<float>::max()};
+inline constexpr PlaneD kNoPlane{{0, 0, 0}, static_cast<double>(std::numeric_limits<float>::max())};
 
 /// Order of the planes. An infinite view has no far plane: count is 5 then.
 enum PlaneIndex : std::uint8_t { kLeft, kRight, kBottom, kTop, kNear, kFar };
