@@ -56,10 +56,10 @@ void set_leaves(Detail& d, double share, double scale) {
 }
 
 /// [Deussen 2005, equation 10.5] as many points as cover the leaves' area once, each as large as their spacing d'.
-void set_points(Detail& d, const PreparedPlant& plant, double area_px, double spacing_px) {
+void set_points(Detail& d, const PreparedPlant& plant, double area, double spacing) {
   if (plant.point_levels.empty()) return;
   const auto size = [&](std::size_t level) { return static_cast<double>(plant.point_levels[level].points.size()); };
-  const double p = std::clamp(area_px / (spacing_px * spacing_px), 0.0, size(0));
+  const double p = std::clamp(area / (spacing * spacing), 0.0, size(0));
   std::size_t level = 0;
   while (level + 1 < plant.point_levels.size() && p <= size(level + 1)) ++level;
   const bool last = level + 1 == plant.point_levels.size();
@@ -69,19 +69,30 @@ void set_points(Detail& d, const PreparedPlant& plant, double area_px, double sp
   d.point_gain = p > 0 ? static_cast<float>(1 / p) : 0.0F;
 }
 
-/// Branches thinner than a fraction of a pixel are not worth a line; meshes give way to lines where those are thin.
-void set_branches(Detail& d, const PreparedPlant& plant, double metres_per_px) {
-  constexpr double kThinnestPx = 0.15, kLinePx = 1.25;
+/// Metres, of the branches that are lines at a level; beyond the last level all are.
+double widest_line(const PreparedPlant& plant, std::size_t level) {
+  if (level < plant.branch_levels.size()) return static_cast<double>(plant.branch_levels[level].error_m);
+  float radius = 0;
+  for (const LineSegment& line : plant.lines) radius = std::max({radius, line.radius_a, line.radius_b});
+  return 2 * static_cast<double>(radius);
+}
+
+/// Branches thinner than a fraction of the error are not worth a line; meshes give way to lines where those are thin,
+/// one branch after the other.
+void set_branches(Detail& d, const PreparedPlant& plant, double error_m) {
+  constexpr double kThinnest = 0.15, kThickest = 1.25, kFirst = 0.6;
   std::size_t lines = plant.lines.size();
   const auto thin = [&](const LineSegment& line) {
-    return 2 * static_cast<double>(std::max(line.radius_a, line.radius_b)) < kThinnestPx * metres_per_px;
+    return 2 * static_cast<double>(std::max(line.radius_a, line.radius_b)) < kThinnest * error_m;
   };
   while (lines > 0 && thin(plant.lines[lines - 1])) --lines;
   d.lines = static_cast<float>(lines);
-  std::size_t level = 0;
-  while (level + 1 < plant.branch_levels.size() &&
-         static_cast<double>(plant.branch_levels[level + 1].error_m) <= kLinePx * metres_per_px)
-    ++level;
+  double level = 0;
+  for (std::size_t next = 1; next <= plant.branch_levels.size(); ++next) {
+    const double width = kThickest * error_m / std::max(1e-9, widest_line(plant, next));
+    level = std::max(level, static_cast<double>(next - 1) + std::clamp((width - kFirst) / (1 - kFirst), 0.0, 1.0));
+    if (width < 1) break;
+  }
   d.bark = static_cast<float>(level);
 }
 
@@ -91,49 +102,45 @@ void show_all(Detail& d, const PreparedPlant& plant) {
 }
 
 // Leaf quads of at least this many times the error; points from there to the other.
-constexpr double kQuadPx = 1.5, kPointPx = 0.75;
+constexpr double kQuadSize = 1.5, kPointSize = 0.75;
 
-void show_ours(Detail& d, const PreparedPlant& plant, const Measures& m, double metres_per_px, double error_px) {
-  const double error_m = error_px * metres_per_px;
-  const double scale = std::max(1.0, kPointPx * error_m / m.quad);
+void show_ours(Detail& d, const PreparedPlant& plant, const Measures& m, double error_m) {
+  const double scale = std::max(1.0, kPointSize * error_m / m.quad);
   set_leaves(d, share_for_scale(plant.leaf_scale, scale), scale);
-  set_points(d, plant, m.point_area / (metres_per_px * metres_per_px), error_px);
+  set_points(d, plant, m.point_area, error_m);
   if (!plant.point_levels.empty() && m.quad > 0)
-    d.to_points = static_cast<float>(std::clamp((kQuadPx - m.quad / error_m) / (kQuadPx - kPointPx), 0.0, 1.0));
+    d.to_points = static_cast<float>(std::clamp((kQuadSize - m.quad / error_m) / (kQuadSize - kPointSize), 0.0, 1.0));
   set_branches(d, plant, error_m);
 }
 
 /// z = 1 where a leaf quad is as large as the error; h = sqrt 2, a constant number of leaves a pixel.
-void show_pruned(Detail& d, const PreparedPlant& plant, const Measures& m, double metres_per_px, double error_px) {
-  const double z = m.quad > 0 ? error_px * metres_per_px / m.quad : 1;
+void show_pruned(Detail& d, const PreparedPlant& plant, const Measures& m, double error_m) {
+  const double z = m.quad > 0 ? error_m / m.quad : 1;
   const double u = z <= 1 ? 1 : 1 / (z * z);
   set_leaves(d, u, scale_for_share(plant.leaf_scale, u));
   d.lines = static_cast<float>(plant.lines.size());
 }
 
-Detail detail_of(const PreparedPlant& plant, const Measures& m, double distance, const DetailOptions& options) {
+Detail detail_of(const PreparedPlant& plant, const Measures& m, double error_m, Law law) {
   Detail d{};
-  const double metres_per_px = distance / options.focal_px;
-  switch (options.law) {
+  switch (law) {
     case Law::full:
       show_all(d, plant);
       break;
     case Law::ours:
-      show_ours(d, plant, m, metres_per_px, options.error_px);
+      show_ours(d, plant, m, error_m);
       break;
     case Law::prune:
-      show_pruned(d, plant, m, metres_per_px, options.error_px);
+      show_pruned(d, plant, m, error_m);
       break;
   }
   return d;
 }
 
-/// Row i of the table stands for this distance: four rows an octave of its square, linear in between.
-double distance_of(std::uint32_t row) {
-  return std::sqrt(std::ldexp(1 + 0.25 * (row % 4), static_cast<int>(row / 4) - 8));
+/// The error that row i of the table stands for: four rows an octave of its square, linear in between.
+double error_of(std::uint32_t row) {
+  return std::sqrt(std::ldexp(1 + 0.25 * (row % 4), static_cast<int>(row / 4) - 32));
 }
-
-bool positive(double x) { return x > 0 && std::isfinite(x); }
 
 }  // namespace
 
@@ -155,15 +162,13 @@ const char* name_of(Law law) {
   return "";
 }
 
-std::vector<Detail> make_details(std::span<const PreparedPlant> plants, const DetailOptions& options) {
-  if (!positive(options.focal_px) || !positive(options.error_px))
-    throw std::invalid_argument("focal length and error in pixels must be positive");
+std::vector<Detail> make_details(std::span<const PreparedPlant> plants, Law law) {
   std::vector<Detail> details;
   details.reserve(plants.size() * glsl::kDetailSteps);
   for (const PreparedPlant& plant : plants) {
     const Measures m = measure(plant);
     for (std::uint32_t row = 0; row < glsl::kDetailSteps; ++row)
-      details.push_back(detail_of(plant, m, distance_of(row), options));
+      details.push_back(detail_of(plant, m, error_of(row), law));
   }
   return details;
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// How much of a plant is shown at a distance: the laws of the sources, and ours, as tables over the squared distance.
-///   table.details = make_details(plants, {.focal_px = height_px / (2 * std::tan(fovy / 2))});
+/// How much of a plant is shown where so many metres may be wrong: the laws of the sources, and ours, as tables.
+///   table.details = make_details(plants, Law::ours);
 #include <span>
 
 #include "foliage/select.h"
@@ -15,14 +15,8 @@ enum class Law : std::uint8_t {
 Law law_named(std::string_view name);  ///< full, ours, gumbau; throws std::invalid_argument
 const char* name_of(Law law);
 
-struct DetailOptions {
-  double focal_px = 1000;  ///< height of the picture over the tangent of its full angle: pixels of 1 m at 1 m
-  double error_px = 1;     ///< what is smaller may be wrong
-  Law law = Law::ours;
-};
-
-/// kDetailSteps rows for each plant; a distance is from a tree's middle, or a cell's, over the tree's scale. Throws
-/// std::invalid_argument for options that are not positive and finite.
-std::vector<Detail> make_details(std::span<const PreparedPlant> plants, const DetailOptions& options);
+/// kDetailSteps rows for each plant, over the square of what may be wrong, in metres of its natural size; so they are
+/// the same for every view.
+std::vector<Detail> make_details(std::span<const PreparedPlant> plants, Law law);
 
 }  // namespace manzana::foliage

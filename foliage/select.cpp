@@ -11,6 +11,8 @@ namespace manzana::foliage {
 namespace glsl {
 namespace {
 
+using glm::abs;
+using uvec2 = glm::uvec2;
 using std::max;
 using std::min;
 inline uint floatBitsToUint(float x) { return std::bit_cast<uint>(x); }
@@ -22,9 +24,12 @@ struct Twin {
   std::span<const PlantHead> plants;
   std::span<const CellHead> cells;
   std::span<const Detail> details;
+  std::span<const glm::uvec2> steps;
   std::span<const uint> views;
+  float error2_at_1m;
 #define precise
 #include "foliage/shaders/hash.glsl"
+#include "foliage/shaders/octahedral.glsl"
 #include "foliage/shaders/select.glsl"
 #undef precise
 };
@@ -57,13 +62,17 @@ PlantTable make_plant_table(std::span<const PreparedPlant> plants) {
     head.point_levels = static_cast<std::uint32_t>(plant.point_levels.size());
     head.first_view = static_cast<std::uint32_t>(table.views.size()) * 4;
     head.view_side = plant.visibility.side;
+    head.first_step = static_cast<std::uint32_t>(table.steps.size());
     head.middle = plant.height_m / 2;
+    head.near2 = head.middle * head.middle + plant.crown_radius_m * plant.crown_radius_m;
+    head.per_near2 = 1 / (3 * head.near2);
     head.crown = plant.crown_radius_m;
     fill_levels<BranchLevel>(plant.branch_levels, "branches", head.bark, [](const BranchLevel& l) {
-      return glm::uvec4(l.quads.first, l.quads.size(), l.first_line, 0);
+      return glm::uvec4(l.quads.first, l.steps.first, l.steps.size(), 0);
     });
     fill_levels<PointLevel>(plant.point_levels, "points", head.points,
                             [](const PointLevel& l) { return glm::uvec4(l.points.first, l.points.size(), 0, 0); });
+    for (const BranchStep& step : plant.branch_steps) table.steps.emplace_back(step.quads, step.first_line);
     const auto bark = static_cast<std::uint32_t>(plant.bark.size());
     for (const LeafCell& cell : plant.cells)
       table.cells.push_back({cell.centre, bark + cell.quads.first, cell.quads.size(), 0, 0, 0});
@@ -96,13 +105,15 @@ TreeSite make_site(const PreparedPlant& plant, std::uint32_t index, float height
   return site;
 }
 
-void select(const PlantTable& table, std::span<const TreeSite> sites, std::span<const Vec4> rows,
-            std::span<const Run> runs, Selection& selection) {
-  glsl::Twin twin{sites, rows, table.plants, table.cells, table.details, table.views};
+float error2_at_1m(double error_at_1m) { return static_cast<float>(error_at_1m * error_at_1m); }
+
+void select(const PlantTable& table, const TreesSeen& seen, Selection& selection) {
+  glsl::Twin twin{seen.sites,    seen.block_rows, table.plants, table.cells,
+                  table.details, table.steps,     table.views,  error2_at_1m(seen.error_at_1m)};
   selection.trees.clear();
   selection.items.clear();
   selection.item_first.assign(1, 0);
-  for (const Run& run : runs) {
+  for (const Run& run : seen.runs) {
     for (std::uint32_t i = run.first; i < run.last; ++i) {
       const auto record = static_cast<std::uint32_t>(selection.trees.size());
       const TreeRecord& tree = selection.trees.emplace_back(twin.place_tree(i));

@@ -2,8 +2,9 @@
 /// What each visible tree shows: the twin, on the CPU, of what foliage/gl does on the GPU, to the bit. It is the oracle
 /// of the GPU's work, and stands in where there is none.
 ///   PlantTable table = make_plant_table(plants);                    // once
-///   table.details = ...                                             // foliage/detail.h, when the view's scale changes
-///   Selection chosen;  select(table, sites, block_rows, runs, chosen);
+///   table.details = make_details(plants, law);                      // foliage/detail.h
+///   Selection chosen;
+///   select(table, {sites, block_rows, runs, error_px / focal_px}, chosen);  // each frame
 #include <array>
 #include <span>
 #include <vector>
@@ -17,6 +18,7 @@ using uint = std::uint32_t;
 using vec2 = glm::vec2;
 using vec3 = glm::vec3;
 using vec4 = glm::vec4;
+using uvec3 = glm::uvec3;
 using uvec4 = glm::uvec4;
 #include "foliage/shaders/select_layout.glsl"
 }  // namespace glsl
@@ -26,14 +28,15 @@ using glsl::Item;
 using glsl::PlantHead;
 using glsl::TreeRecord;
 using glsl::TreeSite;
-static_assert(sizeof(TreeSite) == 48 && sizeof(Detail) == 48 && sizeof(PlantHead) == 304 && sizeof(CellHead) == 32 &&
+static_assert(sizeof(TreeSite) == 48 && sizeof(Detail) == 48 && sizeof(PlantHead) == 320 && sizeof(CellHead) == 32 &&
               sizeof(TreeRecord) == 64 && sizeof(Item) == 32);
 
-/// All plants of a scene as the buffers have them: heads, cells, visibility; and the details of the view at hand, a
+/// All plants of a scene as the buffers have them: heads, cells, branch steps, visibility; and how much each shows, a
 /// table of kDetailSteps rows a plant.
 struct PlantTable {
   std::vector<PlantHead> plants;
   std::vector<CellHead> cells;
+  std::vector<glm::uvec2> steps;     ///< quads, first line
   std::vector<std::uint32_t> views;  ///< PreparedPlant::visibility, four bytes a word
   std::vector<Detail> details;
 };
@@ -53,9 +56,17 @@ struct Selection {
   std::vector<Item> items;
 };
 
-/// `rows`: three for each block, relative to the eye; those of visible blocks count. `runs`: of sites.
-void select(const PlantTable& table, std::span<const TreeSite> sites, std::span<const Vec4> rows,
-            std::span<const Run> runs, Selection& selection);
+/// What is in view, and how exactly it is wanted.
+struct TreesSeen {
+  std::span<const TreeSite> sites;
+  std::span<const Vec4> block_rows;  ///< three a block, relative to the eye; those of visible blocks count
+  std::span<const Run> runs;         ///< of sites
+  double error_at_1m = 0.001;  ///< metres that may be wrong a metre away: error in pixels / focal length in pixels
+};
+void select(const PlantTable& table, const TreesSeen& seen, Selection& selection);
+
+/// As the shader has it.
+float error2_at_1m(double error_at_1m);
 
 /// Primitives: bark and leaf quads, lines, points.
 struct Shown {

@@ -32,8 +32,8 @@ Capacity capacity_of(const ExtractLimits& limits) {
 
 gl::Program make_pass(std::string_view name, std::string_view main) {
   using namespace shaders;
-  return gl::make_compute_program(
-      name, {version_glsl, select_layout_glsl, extract_glsl, buffers_glsl, hash_glsl, select_glsl, main});
+  return gl::make_compute_program(name, {version_glsl, select_layout_glsl, extract_glsl, buffers_glsl, hash_glsl,
+                                         octahedral_glsl, select_glsl, main});
 }
 
 template <class T>
@@ -106,6 +106,7 @@ void extract(Extractor& e, const PlantStore& store, const TreesInView& view) {
   Totals start{};
   start.trees = view.trees;
   start.runs = view.runs;
+  start.error2_at_1m = error2_at_1m(view.error_at_1m);
   start.capacity = e.capacity;
   glNamedBufferSubData(e.totals.name(), 0, sizeof start, &start);
   bind(store);

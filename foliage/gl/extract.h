@@ -30,6 +30,7 @@ struct TreesInView {
   GLuint buffer = 0;
   GLintptr offset = 0;
   std::uint32_t runs = 0, trees = 0;
+  double error_at_1m = 0.001;  ///< as TreesSeen has it
 };
 
 /// All plants' sites, and room for what is extracted from them.

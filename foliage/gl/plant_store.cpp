@@ -67,6 +67,7 @@ PlantStore::PlantStore(std::span<const PreparedPlant> prepared)
     : table(make_plant_table(prepared)),
       plants(upload(table.plants)),
       cells(upload(table.cells)),
+      steps(upload(table.steps)),
       details(gl::make_buffer(prepared.size() * glsl::kDetailSteps * sizeof(Detail))),
       views(upload(table.views)),
       quads(upload_quads(prepared)),
@@ -87,6 +88,7 @@ void bind(const PlantStore& store) {
   };
   to(kPlantsBinding, store.plants);
   to(kCellsBinding, store.cells);
+  to(kStepsBinding, store.steps);
   to(kDetailsBinding, store.details);
   to(kViewsBinding, store.views);
 }

@@ -1,7 +1,7 @@
 #pragma once
 /// Prepared plants on the GPU: one buffer for each kind of thing, all plants in it, and one array of pictures.
 ///   PlantStore store(plants);                       // once
-///   set_details(store, make_details(plants, ...));  // when the view's scale changes
+///   set_details(store, make_details(plants, Law::ours));  // foliage/detail.h
 #include <span>
 
 #include "foliage/select.h"
@@ -14,7 +14,7 @@ struct PlantStore {
   explicit PlantStore(std::span<const PreparedPlant> prepared);
 
   PlantTable table;  ///< what the CPU's twin asks
-  gl::Buffer plants, cells, details, views;
+  gl::Buffer plants, cells, steps, details, views;
   gl::Buffer quads, lines, points;
   gl::Texture images;  ///< layers 2 k: bark of plant k, 2 k + 1: its leaf; with mip levels
 };
@@ -42,7 +42,8 @@ enum Binding : GLuint {
   kTreeBlocksBinding,
   kItemsBinding,
   kGroupsBinding,
-  kPrimitivesBinding
+  kPrimitivesBinding,
+  kStepsBinding
 };
 
 }  // namespace manzana::foliage

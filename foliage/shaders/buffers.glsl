@@ -6,3 +6,5 @@ layout(std430, binding = 4) readonly buffer Cells { CellHead cells[]; };
 layout(std430, binding = 5) readonly buffer Details { Detail details[]; };
 layout(std430, binding = 6) readonly buffer Views { uint views[]; };
 layout(std430, binding = 8) buffer TotalsBuffer { Totals totals; };
+layout(std430, binding = 18) readonly buffer Steps { uvec2 steps[]; };
+#define error2_at_1m totals.error2_at_1m

@@ -17,7 +17,8 @@ struct Capacity {
 
 // What passes are told, and what they tell: GL's commands as it lays them out, five words each.
 struct Totals {
-  uint trees, runs, items, spare;
+  uint trees, runs, items;
+  float error2_at_1m;
   uvec4 groups;    // quads, lines, points in x, y, z
   uvec4 per_item, per_block;  // work groups for choose and expand, and for the scan of items
   Capacity capacity;

@@ -1,7 +1,8 @@
 // Which parts of a tree are shown, and how many of each. Compiled as GLSL and, within a struct that holds the same
 // arrays, as C++ (foliage/select.cpp): both give the same bits, since only operations are used that IEEE 754 rounds
 // correctly, in an order that `precise` fixes: no division, no square root, no library function.
-//   sites, block_rows, plants, cells, details, views: arrays
+//   sites, block_rows, plants, cells, steps, details, views: arrays
+//   error2_at_1m: the square of what may be wrong a metre away, in metres
 
 vec3 placed(vec4 x, vec4 y, vec4 z, vec3 p) {
   precise vec3 q;
@@ -38,8 +39,8 @@ TreeRecord place_tree(uint index) {
   tree.plant = site.plant;
   tree.hash = site.hash;
   vec3 middle = placed(tree.row_x, tree.row_y, tree.row_z, vec3(0.0f, 0.0f, plants[site.plant].middle));
-  precise float r2 = squared(middle) * site.inv_scale2;
-  tree.r2 = r2;
+  precise float error2 = squared(middle) * site.inv_scale2 * error2_at_1m;
+  tree.error2 = error2;
   return tree;
 }
 
@@ -48,10 +49,10 @@ float between(float a, float b, float t) {
   return v;
 }
 
-// The table is linear in r2 within each quarter of an octave, so exponent and upper bits are the row.
-Detail detail_at(uint plant, float r2) {
-  uint bits = floatBitsToUint(min(max(r2, 0.00390625f), 1.0e12f));
-  uint step = (bits >> 21u) - 476u;
+// The table is linear in error2 within each quarter of an octave, so exponent and upper bits are the row.
+Detail detail_at(uint plant, float error2) {
+  uint bits = floatBitsToUint(min(max(error2, 2.3283064365386963e-10f), 65535.0f));
+  uint step = (bits >> 21u) - 380u;
   float t = float(bits & 0x1fffffu) * 4.76837158203125e-7f;
   Detail a = details[plant * kDetailSteps + step], b = details[plant * kDetailSteps + step + 1u];
   Detail d;
@@ -71,7 +72,7 @@ Detail detail_at(uint plant, float r2) {
 }
 
 uint items_of(TreeRecord tree) {
-  Detail d = detail_at(tree.plant, tree.r2);
+  Detail d = detail_at(tree.plant, tree.error2);
   return kFixedItems + (d.to_points < 1.0f ? plants[tree.plant].cells : 0u);
 }
 
@@ -94,15 +95,19 @@ Item no_item(uint record, uint kind) {
   return item;
 }
 
-uint bark_level(PlantHead plant, Detail d) { return min(uint(d.bark), plant.bark_levels - 1u); }
+// The level's mesh without the branches that have turned into lines already, the more of them the farther.
+uvec2 branch_step(PlantHead plant, Detail d) {
+  uint level = min(uint(d.bark), plant.bark_levels - 1u), last = plant.bark[level].z - 1u;
+  precise float gone = min(d.bark - float(level), 1.0f) * float(last);
+  return steps[plant.first_step + plant.bark[level].y + last - min(uint(gone), last)];
+}
 
 Item bark_item(TreeRecord tree, uint record, Detail d) {
   PlantHead plant = plants[tree.plant];
   Item item = no_item(record, kBark);
   if (plant.bark_levels == 0u) return item;
-  uvec4 level = plant.bark[bark_level(plant, d)];
-  item.first = plant.first_quad + level.x;
-  item.count = level.y;
+  item.first = plant.first_quad + plant.bark[min(uint(d.bark), plant.bark_levels - 1u)].x;
+  item.count = branch_step(plant, d).x;
   return item;
 }
 
@@ -110,8 +115,7 @@ Item lines_item(TreeRecord tree, uint record, Detail d) {
   PlantHead plant = plants[tree.plant];
   Item item = no_item(record, kLines);
   if (plant.bark_levels == 0u) return item;
-  uint first = plant.bark[bark_level(plant, d)].z;
-  uint last = min(uint(d.lines), plant.lines);
+  uint first = branch_step(plant, d).y, last = min(uint(d.lines), plant.lines);
   item.first = plant.first_line + first;
   item.count = max(last, first) - first;
   return item;
@@ -134,13 +138,41 @@ Item points_item(TreeRecord tree, uint record, Detail d, uint slot) {
   return item;
 }
 
+uint view_share(PlantHead plant, uint cell, uint direction) {
+  uint at = plant.first_view + cell * plant.view_side * plant.view_side + direction;
+  return (views[at >> 2u] >> (8u * (at & 3u))) & 255u;
+}
+
+// Share of a cell that can be seen from the eye: between three baked directions outside, all of it within the crown.
+float visible_share(TreeRecord tree, uint index) {
+  PlantHead plant = plants[tree.plant];
+  if (plant.view_side == 0u) return 1.0f;
+  TreeSite site = sites[tree.site];
+  vec3 middle = placed(tree.row_x, tree.row_y, tree.row_z, vec3(0.0f, 0.0f, plant.middle));
+  precise float r2 = squared(middle) * site.inv_scale2, outside = (r2 - plant.near2) * plant.per_near2;
+  if (outside <= 0.0f) return 1.0f;
+  precise float rr = site.radius * site.radius, hh = site.height * site.height;
+  precise float x = tree.row_x.x * middle.x + tree.row_y.x * middle.y + tree.row_z.x * middle.z;
+  precise float y = tree.row_x.y * middle.x + tree.row_y.y * middle.y + tree.row_z.y * middle.z;
+  precise float z = tree.row_x.z * middle.x + tree.row_y.z * middle.y + tree.row_z.z * middle.z;
+  precise float ex = -x * hh, ey = -y * hh, ez = -z * rr;
+  GridWeights grid = grid_weights(plant.view_side, vec3(ex, ey, ez));
+  uint sum = grid.weight.x * view_share(plant, index, grid.vertex.x) +
+             grid.weight.y * view_share(plant, index, grid.vertex.y) +
+             grid.weight.z * view_share(plant, index, grid.vertex.z);
+  precise float baked = float(sum) * 1.5318627450980392e-5f;  // 1 / (256 * 255)
+  return between(1.0f, baked, min(outside, 1.0f));
+}
+
 Item cell_item(TreeRecord tree, uint record, Detail at_tree, uint index) {
   PlantHead plant = plants[tree.plant];
   CellHead cell = cells[plant.first_cell + index];
   Item item = no_item(record, kLeaves);
-  precise float r2 = squared(placed(tree.row_x, tree.row_y, tree.row_z, cell.centre)) * sites[tree.site].inv_scale2;
-  Detail d = detail_at(tree.plant, r2);
-  precise float keep = d.share * (1.0f - at_tree.to_points), shown = float(cell.count) * keep;
+  float r2 = squared(placed(tree.row_x, tree.row_y, tree.row_z, cell.centre));
+  precise float error2 = r2 * sites[tree.site].inv_scale2 * error2_at_1m;
+  Detail d = detail_at(tree.plant, error2);
+  precise float keep = d.share * visible_share(tree, index) * (1.0f - at_tree.to_points);
+  precise float shown = float(cell.count) * keep;
   uint hash = mixed(tree.hash ^ mixed(index));
   precise float edge = shown + fraction_of(hash);
   item.first = plant.first_quad + cell.first;
@@ -153,7 +185,7 @@ Item cell_item(TreeRecord tree, uint record, Detail at_tree, uint index) {
 }
 
 Item choose_item(TreeRecord tree, uint record, uint slot) {
-  Detail d = detail_at(tree.plant, tree.r2);
+  Detail d = detail_at(tree.plant, tree.error2);
   if (slot == 0u) return bark_item(tree, record, d);
   if (slot == 1u) return lines_item(tree, record, d);
   if (slot < kFixedItems) return points_item(tree, record, d, slot);

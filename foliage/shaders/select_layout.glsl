@@ -13,9 +13,9 @@ struct TreeSite {
   uint spare;
 };
 
-// How much is shown at a distance: a row of a plant's detail table.
+// How much is shown where so much may be wrong: a row of a plant's detail table.
 struct Detail {
-  float share;      // of a cell's leaf quads that a viewer at that distance needs
+  float share;      // of a cell's leaf quads, if all of them could be seen
   float scale;      // linear size of those
   float fade;       // share of the shown ones that shrinks to nothing, the last in order
   float to_points;  // 0: leaf quads only, 1: points only
@@ -27,17 +27,20 @@ struct Detail {
   float spare0, spare1, spare2;
 };
 
-const uint kDetailSteps = 193u;  // of a plant's table: four an octave of r2, from 2^-8 m2 to 2^40 m2
+// Of a plant's table, over the square of an error in metres: four an octave, from 2^-32 m2 to 2^16 m2.
+const uint kDetailSteps = 193u;
 const uint kMostLevels = 8u;
 
 // A plant in the buffers of all plants.
 struct PlantHead {
-  uint first_quad, first_line, first_point, first_cell;
+  uint first_quad, first_line, first_point, first_cell, first_step;
   uint cells, lines, bark_levels, point_levels;
   uint first_view, view_side;  // visibility: bytes, cell by cell; side 0: all is visible
+  float near2, per_near2;      // of the crown's ball: radius squared, and 1 / (3 of that)
+  uint spare;
   float middle;                // height of the crown's middle
   float crown;                 // radius of the crown
-  uvec4 bark[kMostLevels];     // first quad, quads, first line, 0
+  uvec4 bark[kMostLevels];     // first quad, first step, steps, 0
   uvec4 points[kMostLevels];   // first point, points, 0, 0
 };
 
@@ -51,7 +54,7 @@ struct CellHead {
 struct TreeRecord {
   vec4 row_x, row_y, row_z;
   uint site, plant, hash;
-  float r2;  // squared distance of its middle, in units of its size
+  float error2;  // what may be wrong of it: squared metres of its natural size
 };
 
 // What is drawn of one thing: `count` primitives from `first` on.

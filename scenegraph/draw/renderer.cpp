@@ -38,6 +38,11 @@ void clear(const gl::Target& target, const FrameData& frame) {
   glClearNamedFramebufferfv(target.framebuffer.name(), GL_DEPTH, 0, &zero);
 }
 
+/// Pixels of a metre at a distance of a metre.
+double focal_px(const gl::Target& target, const culling::View& view) {
+  return target.height / (view.tan_top - view.tan_bottom);
+}
+
 void add(FrameCounts& counts, const Drawn& drawn) {
   counts.triangles += drawn.triangles;
   counts.commands += drawn.commands;
@@ -111,7 +116,7 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
   glDisable(GL_CULL_FACE);
   if (layers.trees) {
     counts.trees = count(scene.trees.table, sets.objects());
-    add(counts, draw_trees(trees, target.samples > 1));
+    add(counts, draw_trees(trees, {static_cast<float>(focal_px(target, view)), target.samples > 1}));
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, stream.name());
   }
   if (layers.surfaces) {
@@ -143,11 +148,11 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const cu
   State& s = *state_;
   assert(scene.blocks.size() == s.rows.size());
   const FrameData frame = make_frame(scene.frame, view, options, s.anchor);
-  const double focal_px = s.target.height / (view.tan_top - view.tan_bottom);
+  const double f_px = focal_px(s.target, view);
   for (const culling::LeafRun& run : sets.blocks()) {
     for (std::uint32_t b = run.first; b < run.last; ++b) s.rows[b] = relative_to(view.eye, scene.blocks[b]);
   }
-  count_cars(sets.cars, view.eye, focal_px * s.quality.car_detail, s.cars.selection);
+  count_cars(sets.cars, view.eye, f_px * s.quality.car_detail, s.cars.selection);
 
   s.stream.begin(s.bytes_of_frame(sets));
   gl::bind(s.target);
@@ -155,8 +160,8 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const cu
   clear(s.target, frame);
   s.upload_frame(sets, frame);
   if (options.layers.trees) {
-    const foliage::DetailOptions details{focal_px, options.tree_error_px / s.quality.tree_detail, options.tree_law};
-    extract_trees(s.trees, scene.trees, sets.objects(), details, s.stream);
+    const double error_px = options.tree_error_px / s.quality.tree_detail;
+    extract_trees(s.trees, scene.trees, sets.objects(), {options.tree_law, error_px / f_px}, s.stream);
   }
   FrameCounts counts;
   s.draw_layers(scene, sets, view, options.layers, counts);

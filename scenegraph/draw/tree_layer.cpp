@@ -41,16 +41,6 @@ foliage::HostShaders host_shaders() {
           .points = {frame_layout_glsl, frame_glsl, light_glsl, tree_point_frag}};
 }
 
-bool same(const foliage::DetailOptions& a, const foliage::DetailOptions& b) {
-  return a.focal_px == b.focal_px && a.error_px == b.error_px && a.law == b.law;
-}
-
-void update_details(TreeLayerGpu& layer, const foliage::DetailOptions& details) {
-  if (same(layer.details, details)) return;
-  set_details(layer.store, make_details(layer.plants, details));
-  layer.details = details;
-}
-
 /// Runs of rows that follow each other become one. Returns how many there are, and in how many trees.
 foliage::TreesInView write_runs(const TreeLayer& trees, std::span<const culling::ObjectRun> objects, glm::uvec2* out) {
   foliage::TreesInView view;
@@ -72,8 +62,9 @@ TreeLayerGpu::TreeLayerGpu(const TreeLayer& trees, std::span<const foliage::Prep
       store(prepared),
       extractor(sites_of(trees, prepared), {}),
       programs(host_shaders()),
-      shadows(make_shadow("shadow_tree", shaders::shadow_tree_vert)) {
-  details.focal_px = 0;
+      shadows(make_shadow("shadow_tree", shaders::shadow_tree_vert)),
+      law(foliage::Law::ours) {
+  set_details(store, make_details(plants, law));
 }
 
 std::size_t stream_bytes(const TreeLayerGpu&, std::size_t runs) {
@@ -81,20 +72,21 @@ std::size_t stream_bytes(const TreeLayerGpu&, std::size_t runs) {
 }
 
 void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const culling::ObjectRun> objects,
-                   const foliage::DetailOptions& details, gl::StreamBuffer& stream) {
-  update_details(layer, details);
+                   const TreeDetail& detail, gl::StreamBuffer& stream) {
+  if (layer.law != detail.law) set_details(layer.store, make_details(layer.plants, detail.law));
+  layer.law = detail.law;
   const auto runs = stream.take<glm::uvec2>(objects.size());
   foliage::TreesInView view = write_runs(trees, objects, runs.items);
   view.buffer = stream.name();
   view.offset = runs.offset;
+  view.error_at_1m = detail.error_at_1m;
   layer.trees_in_view = view.trees;
   if (view.trees > 0) extract(layer.extractor, layer.store, view);
 }
 
-Drawn draw_trees(const TreeLayerGpu& layer, bool alpha_to_coverage) {
+Drawn draw_trees(const TreeLayerGpu& layer, const foliage::DrawPlantsOptions& options) {
   if (layer.trees_in_view == 0) return {};
-  const auto focal_px = static_cast<float>(layer.details.focal_px);
-  draw_plants(layer.programs, layer.store, layer.extractor, {focal_px, alpha_to_coverage});
+  draw_plants(layer.programs, layer.store, layer.extractor, options);
   return {0, 3};
 }
 

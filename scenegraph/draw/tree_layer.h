@@ -16,16 +16,21 @@ struct TreeLayerGpu {
   foliage::Extractor extractor;
   foliage::PlantPrograms programs;
   gl::Program shadows;
-  foliage::DetailOptions details;   ///< what the store's table was made for
+  foliage::Law law;                 ///< of the store's table
   std::uint32_t trees_in_view = 0;  ///< of the last extraction
+};
+
+struct TreeDetail {
+  foliage::Law law = foliage::Law::ours;
+  double error_at_1m = 0.001;  ///< error in pixels / focal length in pixels
 };
 
 std::size_t stream_bytes(const TreeLayerGpu& layer, std::size_t runs);
 
 /// Once a frame, with the blocks' rows bound. `objects`: runs of the tree's.
 void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const culling::ObjectRun> objects,
-                   const foliage::DetailOptions& details, gl::StreamBuffer& stream);
-Drawn draw_trees(const TreeLayerGpu& layer, bool alpha_to_coverage);
+                   const TreeDetail& detail, gl::StreamBuffer& stream);
+Drawn draw_trees(const TreeLayerGpu& layer, const foliage::DrawPlantsOptions& options);
 /// Soft dark ground under the trees, over the surfaces.
 Drawn draw_tree_shadows(const TreeLayerGpu& layer);
 

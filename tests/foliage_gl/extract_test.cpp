@@ -7,6 +7,7 @@
 #include "foliage/gl/extract.h"
 #include "foliage/import/species.h"
 #include "foliage/prepare.h"
+#include "foliage/random.h"
 #include "gl/context.h"
 #include "gl/error_log.h"
 #include "tests/support/random.h"
@@ -17,8 +18,13 @@ namespace {
 const std::vector<PreparedPlant>& plants() {
   static const std::vector<PreparedPlant> all = [] {
     std::vector<PreparedPlant> made;
-    for (const char* name : {"broadleaf", "conifer", "shrub"})
-      made.push_back(prepare(grow_plant(builtin_species(name), 7), {.quads_per_cell = 100}));
+    for (const char* name : {"broadleaf", "conifer", "shrub"}) {
+      PreparedPlant& plant = made.emplace_back(prepare(grow_plant(builtin_species(name), 7), {.quads_per_cell = 100}));
+      plant.visibility.side = 2 + static_cast<std::uint32_t>(made.size());  // of whatever: both must read the same
+      const std::size_t directions = plant.visibility.side * plant.visibility.side;
+      for (std::size_t i = 0; i < plant.cells.size() * directions; ++i)
+        plant.visibility.share.push_back(static_cast<std::uint8_t>(hash(i)));
+    }
     return made;
   }();
   return all;
@@ -115,12 +121,14 @@ TEST_CASE("the GPU chooses what its twin on the CPU does to the bit") {
   const std::uint64_t seed = trees + static_cast<std::uint64_t>(error_px * 10);
   INFO("trees " << trees << " law " << name_of(law) << " error " << error_px << " seed " << seed);
   const Forest forest = make_forest(trees, seed);
-  set_details(store, make_details(plants(), {.focal_px = 700, .error_px = error_px, .law = law}));
+  set_details(store, make_details(plants(), law));
   Selection expected;
-  select(store.table, forest.sites, forest.rows, forest.runs, expected);
+  const double error_at_1m = error_px / 700;
+  select(store.table, {forest.sites, forest.rows, forest.runs, error_at_1m}, expected);
 
   Extractor extractor(forest.sites, {});
-  const Uploaded up = upload(forest);
+  Uploaded up = upload(forest);
+  up.view.error_at_1m = error_at_1m;
   extract(extractor, store, up.view);
   REQUIRE(up.view.trees == expected.trees.size());
   CHECK(same_bits(read<TreeRecord>(extractor.trees, expected.trees.size()), expected.trees));
