@@ -52,20 +52,20 @@ class Builder {
     for (const BlockVolume& b : in_) all = merge(all, b.box);
     tree_.origin = glm::round(center(all));
     const std::size_t n = in_.size();
-    std::uint32_t objects = 0, packets = 0;
+    std::uint32_t objects = 0, rows = 0;
     for (const std::uint32_t row : tree_.order) {
       const BlockVolume& b = in_[row];
       boxes_.push_back({b.box.min - tree_.origin, b.box.max - tree_.origin});
       spheres_.push_back(relative(b.sphere, tree_.origin));
       const std::uint32_t count = objects_.first.empty() ? 0 : objects_.first[row + 1] - objects_.first[row];
       tree_.block_objects.push_back({objects, objects + count});
-      packed_.push_back(packets);
+      packed_.push_back(first_row(rows, count));
       objects += count;
-      packets += packets_of(count);
+      rows = packed_.back() + rows_of(count);
     }
     tree_.place.resize(n);
     tree_.object_order.resize(objects);
-    tree_.packets.resize(packets);
+    tree_.packets.resize((rows + kPacket - 1) / kPacket);
     if (!objects_.classes.empty()) tree_.classes.assign(objects + kPacket, 0);
   }
 
@@ -158,6 +158,7 @@ class Builder {
       set_runs(node, i, lanes[i]);
       if (lanes[i].size() == 1) set_block(node, at, i, lanes[i].first);
     }
+    leave_out_wide_balls(node);
     node.shift = finest_shift(node);
     tree_.nodes[at] = node;
     for (std::uint32_t i = 0; i < lanes.size(); ++i)
@@ -223,7 +224,7 @@ class Builder {
   BqrTree tree_;
   std::vector<BoxD> boxes_;
   std::vector<SphereD> spheres_;
-  std::vector<std::uint32_t> packed_;  // where the packets of a block begin
+  std::vector<std::uint32_t> packed_;  // the row where the packets of a block begin
 };
 
 }  // namespace

@@ -82,6 +82,7 @@ std::uint8_t roomy_shift(const BoxD& box, double step) {
 void set_lane(BqrNode& node, std::uint32_t lane, const BoxD& box, const SphereD& ball) {
   node.balls &= static_cast<std::uint16_t>(~bit(lane));
   set_volumes(node, lane, box, ball);
+  leave_out_wide_balls(node);
   node.lanes |= bit(lane);
 }
 
@@ -94,7 +95,7 @@ class Insertion {
         ball_(relative(volume.sphere, tree.origin)) {}
 
   /// Puts the block, whose objects have their run, into a lane.
-  void place(std::uint32_t block, std::uint32_t packets) {
+  void place(std::uint32_t block, std::uint32_t row) {
     const std::uint32_t at = find_node();
     BqrNode& node = tree_.nodes[at];
     const std::uint32_t lane = free_lane(node);
@@ -103,7 +104,7 @@ class Insertion {
     node.blocks |= bit(lane);
     node.whole |= bit(lane);
     node.ordered = false;
-    node.child[lane] = packets;
+    node.child[lane] = row;
     node.first[lane] = tree_.block_objects[block].first;
     node.last[lane] = tree_.block_objects[block].last;
     node.first_block[lane] = block;
@@ -213,23 +214,23 @@ class Insertion {
   SphereD ball_;
 };
 
-/// Room at the end of all that is per object; where the packets begin.
+/// Room at the end of all that is per object; the row where the packets begin.
 std::uint32_t append_room(BqrTree& tree, std::uint32_t count, bool classes) {
   const std::size_t packets = tree.packets.size();
-  tree.packets.resize(packets + packets_of(count));
+  tree.packets.resize(packets + (rows_of(count) + kPacket - 1) / kPacket);
   if (classes && tree.classes.empty()) tree.classes.assign(tree.objects() + kPacket, kAllClasses);
   tree.object_order.resize(tree.objects() + count);
   if (!tree.classes.empty()) tree.classes.resize(tree.objects() + kPacket);
-  return static_cast<std::uint32_t>(packets);
+  return static_cast<std::uint32_t>(packets * kPacket);
 }
 
 void put(BqrTree& tree, std::uint32_t block, const BlockVolume& volume, const NewObjects& objects) {
   const std::uint32_t first = tree.objects(), count = static_cast<std::uint32_t>(objects.boxes.size());
   if (tree.nodes.empty()) tree.origin = glm::round(center(volume.box));
-  const std::uint32_t packets = append_room(tree, count, !objects.classes.empty());
+  const std::uint32_t row = append_room(tree, count, !objects.classes.empty());
   tree.block_objects[block] = {first, first + count};
   Insertion insertion(tree, volume);
-  insertion.place(block, packets);
+  insertion.place(block, row);
   std::vector<ClassMask> all_of_all;
   if (objects.classes.empty()) all_of_all.assign(count, kAllClasses);
   pack_objects(tree, block, {{}, objects.boxes, objects.classes.empty() ? all_of_all : objects.classes}, 0, volume,

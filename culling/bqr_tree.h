@@ -55,7 +55,8 @@ using Lanes16 = std::array<std::uint16_t, kLanes>;
 using Lanes32 = std::array<std::uint32_t, kLanes>;
 
 /// Boxes of up to 32 objects: their reaches on the lattice of their block, a column after the other; unused rows are 0.
-/// A column is a cache line, and a plane asks three.
+/// A column is a cache line, and a plane asks three. Blocks with few objects share packets, a row of theirs after the
+/// other: a query then reads less.
 struct alignas(64) Packet {
   std::array<std::array<std::uint16_t, kPacket>, 6> box{};
 };
@@ -68,7 +69,7 @@ struct alignas(64) BqrNode {
   std::uint16_t lanes = 0;              ///< bit i: lane i holds something
   std::uint16_t blocks = 0;             ///< bit i: lane i is a block
   std::uint16_t whole = 0;              ///< bit i: all objects below lane i are the run [first[i], last[i]), no hole
-  std::uint16_t balls = 0;              ///< bit i: the sphere of lane i does not enclose its box, so it tells more
+  std::uint16_t balls = 0;              ///< bit i: the sphere of lane i cuts much off its box's corners, so it is asked
   std::uint8_t shift = 0;               ///< the lattices of its blocks are 2^shift times finer
   bool ordered = true;                  ///< last[i] = first[j] for any two neighbours i, j that hold something
   std::uint16_t depth = 0;              ///< nodes above
@@ -76,7 +77,7 @@ struct alignas(64) BqrNode {
   Lanes16 classes{};                    ///< united over all objects below
   std::array<Lanes16, 6> box{};         ///< reaches
   Lanes32 first{}, last{};              ///< objects
-  Lanes32 child{};                      ///< a node; or where a block's packets begin
+  Lanes32 child{};                      ///< a node; or the row where a block's packets begin, 32 a packet
   std::array<Lanes16, 4> sphere{};      ///< centre x, y, z; radius in units of the test
   Lanes32 first_block{}, last_block{};  ///< blocks
 };

@@ -19,11 +19,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace manzana::culling::HWY_NAMESPACE {
 
-/// A packet of a block that crosses, or all of its packets, if they are many.
+/// Objects of a block that crosses, in one packet from `row` on; or all of them, if they are many.
 struct Doubt {
-  std::uint32_t packets, first, count, planes;
+  const Packet* packet;
   const std::uint16_t* need;
-  std::uint32_t keep, view;
+  std::uint32_t first, count, keep;
+  std::uint8_t planes, row, view;
 };
 
 inline std::uint32_t low_bits(std::uint32_t n) { return static_cast<std::uint32_t>((std::uint64_t{1} << n) - 1); }
@@ -35,12 +36,11 @@ class Traversal {
   Traversal(const BqrTree& tree, std::span<const Planes> views, std::span<Answer> answers, const CullOptions& options)
       : tree_(tree),
         packets_(tree.packets.data()),
-        views_(views.size()),
+        views_(views),
         queue_(Answer::Access::queue(answers[0])),
         options_(options),
         filtered_(options.classes != kAllClasses) {
     for (std::size_t v = 0; v < answers.size(); ++v) {
-      spread(views[v], planes_[v]);
       objects_[v] = Answer::Access::objects(answers[v]).begin();
       blocks_[v] = Answer::Access::blocks(answers[v]).begin();
     }
@@ -103,9 +103,9 @@ class Traversal {
   void push_root() {
     Answer::Visit& root = queue_[end_++];
     root = {tree_.root, 0, 0};
-    for (std::size_t v = 0; v < (kOne ? 1 : views_); ++v) {
+    for (std::size_t v = 0; v < (kOne ? 1 : views_.size()); ++v) {
       root.views |= 1U << v;
-      root.planes |= std::uint64_t{planes_[v].planes->used} << (8 * v);
+      root.planes |= std::uint64_t{views_[v].used} << (8 * v);
     }
   }
 
@@ -113,7 +113,7 @@ class Traversal {
     const BqrNode& n = tree_.nodes[visit.node];
     each_view(visit.views, [&](std::size_t v) {
       NodeResult& result = results_[i * kViews + v];
-      test_node(planes_[v], planes_of(visit, v), n, result);
+      test_node(views_[v], planes_of(visit, v), n, result);
       if (filtered_) filter(n, result);
     });
   }
@@ -151,6 +151,7 @@ class Traversal {
 
   /// Neighbouring lanes that are inside are one run.
   HWY_INLINE void take(const BqrNode& n, std::uint32_t lanes, std::size_t v) {
+    if (lanes == 0) return;
     const std::uint32_t full = lanes & holding(n);  // a run without objects would need room of its own
     objects_[v] = write_runs(n, starts_of(n, full), ends_of(n, full), objects_[v]);
     if (options_.blocks) take_blocks(n, lanes, v);
@@ -169,22 +170,43 @@ class Traversal {
                        n.last_block[static_cast<std::size_t>(std::countr_zero(ends))], 0};
   }
 
+  /// Blocks that cross.
   HWY_INLINE void doubt(const BqrNode& n, const NodeResult& result, std::uint32_t lanes, std::size_t v) {
+    Doubt* to = &doubts_[doubted_];
+    for (std::uint32_t left = lanes; left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+      const std::uint32_t planes = result.planes[i];
+      const Packet* packet = packets_ + n.child[i] / kPacket;
+      std::uint32_t first = n.first[i], count = n.last[i] - first;
+      if (count == 0) [[unlikely]]
+        continue;
+      for (;;) {
+        *to++ = {packet,
+                 &result.need[0][i],
+                 first,
+                 count,
+                 0,
+                 static_cast<std::uint8_t>(planes),
+                 static_cast<std::uint8_t>(n.child[i] % kPacket),
+                 static_cast<std::uint8_t>(v)};
+        fetch(*packet, planes, v);
+        if (count <= kPacket || count > kFew * kPacket) [[likely]]
+          break;
+        to[-1].count = kPacket;
+        first += kPacket;
+        count -= kPacket;
+        ++packet;
+      }
+    }
+    doubted_ = static_cast<std::uint32_t>(to - doubts_.data());
+    stats_.blocks += static_cast<std::uint32_t>(std::popcount(lanes));
+    if (options_.blocks) doubt_blocks(n, result, lanes, v);
+  }
+
+  HWY_NOINLINE void doubt_blocks(const BqrNode& n, const NodeResult& result, std::uint32_t lanes, std::size_t v) {
     for (; lanes != 0; lanes &= lanes - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
-      const std::uint32_t count = n.last[i] - n.first[i], most = count <= kFew * kPacket ? kPacket : count;
-      for (std::uint32_t packet = n.child[i], done = 0; done < count; ++packet, done += most) {
-        doubts_[doubted_++] = {packet,
-                               n.first[i] + done,
-                               std::min(count - done, most),
-                               result.planes[i],
-                               &result.need[0][i],
-                               0,
-                               static_cast<std::uint32_t>(v)};
-        fetch(packets_[packet], result.planes[i], v);
-      }
-      ++stats_.blocks;
-      if (options_.blocks) *blocks_[v]++ = {n.first_block[i], n.first_block[i] + 1, result.planes[i]};
+      *blocks_[v]++ = {n.first_block[i], n.first_block[i] + 1, result.planes[i]};
     }
   }
 
@@ -192,12 +214,12 @@ class Traversal {
     for (std::uint32_t i = 0; i < doubted_; ++i) {
       Doubt& b = doubts_[i];
       if (b.count > kPacket) continue;
-      b.keep = ask(b, b.packets) & low_bits(b.count);
+      b.keep = ask(b, *b.packet) >> b.row & low_bits(b.count);
       if (filtered_) b.keep &= wanted(b.first);
     }
     for (std::uint32_t i = 0; i < doubted_; ++i)
       if (doubts_[i].count <= kPacket)
-        take_bits(doubts_[i].first, doubts_[i].keep, doubts_[i].view);
+        take_bits(doubts_[i].first, doubts_[i].keep, kOne ? 0 : doubts_[i].view);
       else
         settle_large(doubts_[i]);
     stats_.packets += doubted_;
@@ -208,23 +230,22 @@ class Traversal {
   HWY_NOINLINE void settle_large(const Doubt& b) {
     const std::uint32_t n = (b.count + kPacket - 1) / kPacket, enclosing = (n + kPacket - 1) / kPacket;
     for (std::uint32_t e = 0; e < enclosing; ++e) {
-      std::uint32_t open = ask(b, b.packets + e) & low_bits(std::min(kPacket, n - e * kPacket));
+      std::uint32_t open = ask(b, b.packet[e]) & low_bits(std::min(kPacket, n - e * kPacket));
       for (std::uint32_t p = open; p != 0; p &= p - 1)
-        fetch(packets_[b.packets + enclosing + e * kPacket + static_cast<std::uint32_t>(std::countr_zero(p))], b.planes,
-              b.view);
+        fetch(b.packet[enclosing + e * kPacket + static_cast<std::uint32_t>(std::countr_zero(p))], b.planes, b.view);
       for (; open != 0; open &= open - 1) {
         const std::uint32_t p = e * kPacket + static_cast<std::uint32_t>(std::countr_zero(open));
         const std::uint32_t first = b.first + p * kPacket;
-        std::uint32_t keep = ask(b, b.packets + enclosing + p) & low_bits(std::min(kPacket, b.count - p * kPacket));
+        std::uint32_t keep = ask(b, b.packet[enclosing + p]) & low_bits(std::min(kPacket, b.count - p * kPacket));
         if (filtered_) keep &= wanted(first);
-        take_bits(first, keep, b.view);
+        take_bits(first, keep, kOne ? 0 : b.view);
         ++stats_.packets;
       }
     }
   }
 
-  HWY_INLINE std::uint32_t ask(const Doubt& b, std::uint32_t packet) const {
-    return kept(planes_[kOne ? 0 : b.view], b.planes, packets_[packet], b.need);
+  HWY_INLINE std::uint32_t ask(const Doubt& b, const Packet& packet) const {
+    return kept(views_[kOne ? 0 : b.view], b.planes, packet, b.need);
   }
 
   std::uint32_t wanted(std::uint32_t first) const {
@@ -239,8 +260,8 @@ class Traversal {
   /// What the first of the planes asks; as a rule there is but one.
   HWY_INLINE void fetch(const Packet& packet, unsigned planes, std::size_t v) const {
     if (planes == 0) return;
-    for (const std::uint16_t column : planes_[v].slopes[static_cast<std::size_t>(std::countr_zero(planes))].signs.inner)
-      hwy::Prefetch(&packet.box[column]);
+    for (const std::uint8_t at : views_[v].slopes[static_cast<std::size_t>(std::countr_zero(planes))].inner)
+      hwy::Prefetch(column_of(packet, at));
   }
 
   static HWY_INLINE void prefetch(const void* at, std::size_t bytes) {
@@ -249,7 +270,7 @@ class Traversal {
 
   const BqrTree& tree_;
   const Packet* const packets_;
-  const std::size_t views_;
+  const std::span<const Planes> views_;
   Answer::Visit* queue_;
   const CullOptions options_;
   const bool filtered_;
@@ -257,7 +278,6 @@ class Traversal {
   std::array<LeafRun*, kViews> blocks_{};
   std::uint32_t end_ = 0, doubted_ = 0;
   CullStats stats_;
-  std::array<SpreadPlanes, kViews> planes_;
   std::array<NodeResult, kBatch * kViews> results_;
   std::array<Doubt, kBatch * kViews * kLanes * kFew> doubts_;
 };

@@ -24,6 +24,9 @@ using LaneTag = hn::CappedTag<std::uint32_t, kLanes>;
 using PacketTag = hn::CappedTag<std::uint16_t, kPacket>;
 using PlanesTag = hn::CappedTag<double, kMaxPlanes>;
 
+constexpr double kWhole =
+    0x1.8p52;  ///< added to a small number: leaves the whole number nearest to it in the last bits
+
 /// What is known of a node's lanes. Not initialised: a query has many, and fills those that it uses.
 struct alignas(64) NodeResult {
   std::array<Lanes16, kMaxPlanes> need;  ///< t_out of the lattice of a block that crosses plane k
@@ -32,52 +35,9 @@ struct alignas(64) NodeResult {
   std::uint32_t inside;                  ///< alive, and certainly inside all planes
 };
 
-/// What the signs of a normal say: bit i of the index is set where n_i < 0.
-struct Signs {
-  std::array<std::uint16_t, 3> flip;          ///< all ones where n_i < 0: ~u instead of u
-  std::array<std::uint16_t, 3> inner, outer;  ///< columns of a box: its reach inward, and outward
-};
-inline constexpr auto kSigns = [] {
-  std::array<Signs, 8> all{};
-  for (unsigned bits = 0; bits < 8; ++bits)
-    for (std::uint16_t i = 0; i < 3; ++i) {
-      const bool back = (bits >> i & 1) != 0;
-      all[bits].flip[i] = back ? 0xFFFF : 0;
-      all[bits].inner[i] = static_cast<std::uint16_t>(back ? i + 3 : i);
-      all[bits].outer[i] = static_cast<std::uint16_t>(back ? i : i + 3);
-    }
-  return all;
-}();
-
-/// The slope of a plane.
-struct alignas(64) Slope {
-  std::array<std::array<std::uint16_t, kPacket>, 3> a;  ///< A_i in every lane, so that none is spread while asking
-  Signs signs;
-};
-
-/// Planes as a query asks them.
-struct SpreadPlanes {
-  const Planes* planes;
-  std::array<Slope, kMaxPlanes> slopes;  ///< filled where used
-};
-
-HWY_INLINE void spread(const Planes& planes, SpreadPlanes& to) {
-  const PacketTag d;
-  to.planes = &planes;
-  for (unsigned which = planes.used; which != 0; which &= which - 1) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(which));
-    const std::array<double, 3> n{planes.x[k], planes.y[k], planes.z[k]};
-    to.slopes[k].signs = kSigns[(n[0] < 0 ? 1U : 0U) | (n[1] < 0 ? 2U : 0U) | (n[2] < 0 ? 4U : 0U)];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto a = hn::Set(d, lattice_factor(n[axis]));
-      for (std::size_t i = 0; i < kPacket; i += hn::Lanes(d)) hn::Store(a, d, &to.slopes[k].a[axis][i]);
-    }
-  }
-}
-
 /// t_out and t_in of a node's lattice.
 struct alignas(64) Thresholds {
-  std::array<std::int32_t, kMaxPlanes> out, in;
+  std::array<std::uint16_t, kMaxPlanes> out, in;
 };
 
 template <class D>
@@ -99,26 +59,35 @@ HWY_INLINE hn::Vec<D> set16(D d, std::int32_t x) {
   return hn::Set(d, static_cast<std::uint16_t>(x));
 }
 
+/// The last bits of x, a whole number from kWhole on, and no more than N.
+template <class D>
+HWY_INLINE void store_whole(D d, hn::Vec<D> x, std::uint16_t* to) {
+  const hn::RebindToUnsigned<D> bits;
+  const hn::Rebind<std::uint16_t, D> d16;
+  const auto whole = hn::Min(hn::Max(x, hn::Set(d, kWhole)), hn::Set(d, kWhole + kLatticeEnd));
+  hn::Store(hn::TruncateTo(d16, hn::BitCast(bits, whole)), d16, to);
+}
+
+/// Rounded to the nearest whole numbers: half a unit beside 2 and 3 of culling/lattice.h makes that floor and ceil, or
+/// less and more.
 HWY_INLINE Thresholds thresholds_of(const Planes& p, const BqrNode& n) {
   const PlanesTag d;
-  const hn::Rebind<std::int32_t, PlanesTag> di;
   const auto per_step = std::bit_cast<float>(0x7F000000U - std::bit_cast<std::uint32_t>(n.step));  // a power of two
   const auto step = hn::Set(d, static_cast<double>(n.step)),
-             k = hn::Set(d, kTestScale / 65536 * static_cast<double>(per_step));
+             k = hn::Set(d, kTestScale / 65536 * static_cast<double>(per_step)), whole = hn::Set(d, kWhole);
   const auto x = hn::Set(d, static_cast<double>(n.corner.x)), y = hn::Set(d, static_cast<double>(n.corner.y)),
              z = hn::Set(d, static_cast<double>(n.corner.z));
-  const auto low = hn::Zero(d), high = hn::Set(d, kLatticeEnd);
+  const auto in_metres = [&](double units) { return hn::Set(d, units * 65536 / kTestScale); };  // times the step
   Thresholds t;
   for (std::size_t i = 0; i < kMaxPlanes; i += hn::Lanes(d)) {
     const auto turned = hn::MulSub(hn::Load(d, &p.turned[i]), step, hn::Load(d, &p.offset[i]));
-    const auto minus_d =
-        hn::NegMulAdd(hn::Load(d, &p.x[i]), x,
-                      hn::NegMulAdd(hn::Load(d, &p.y[i]), y, hn::NegMulAdd(hn::Load(d, &p.z[i]), z, turned)));
+    const auto along_yz = hn::MulAdd(hn::Load(d, &p.y[i]), y, hn::Mul(hn::Load(d, &p.z[i]), z));
+    const auto minus_d = hn::Sub(hn::NegMulAdd(hn::Load(d, &p.x[i]), x, turned), along_yz);
     const auto m = hn::Load(d, &p.margin[i]);
-    const auto out = hn::MulAdd(hn::Sub(minus_d, m), k, hn::Set(d, -2.0));
-    const auto in = hn::MulAdd(hn::Add(minus_d, m), k, hn::Set(d, 4.0));  // cut to a whole number: ceil + 3
-    hn::Store(hn::DemoteTo(di, hn::Min(hn::Max(out, low), high)), di, &t.out[i]);
-    hn::Store(hn::DemoteTo(di, hn::Min(hn::Max(in, low), high)), di, &t.in[i]);
+    const auto out = hn::Sub(minus_d, hn::MulAdd(step, in_metres(2.5), m)),
+               in = hn::Add(minus_d, hn::MulAdd(step, in_metres(3.5), m));
+    store_whole(d, hn::MulAdd(out, k, whole), &t.out[i]);
+    store_whole(d, hn::MulAdd(in, k, whole), &t.in[i]);
   }
   return t;
 }
@@ -126,8 +95,8 @@ HWY_INLINE Thresholds thresholds_of(const Planes& p, const BqrNode& n) {
 /// F of points with distances x, y, z.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V distance(D d, const Slope& p, V x, V y, V z) {
-  return hn::Add(hn::Add(hn::MulHigh(hn::Load(d, p.a[0].data()), x), hn::MulHigh(hn::Load(d, p.a[1].data()), y)),
-                 hn::MulHigh(hn::Load(d, p.a[2].data()), z));
+  const auto a = [&](std::size_t axis) { return hn::LoadDup128(d, p.a[axis].data()); };
+  return hn::Add(hn::Add(hn::MulHigh(a(0), x), hn::MulHigh(a(1), y)), hn::MulHigh(a(2), z));
 }
 
 /// Gathers, plane by plane, which lanes are outside and which planes they may cross.
@@ -143,7 +112,7 @@ HWY_INLINE hn::Vec<NodeTag> plane_bit(hn::Vec<NodeTag> v, int k) {
 }
 
 template <class V = hn::Vec<NodeTag>>
-HWY_INLINE Verdict<V> test_balls(const SpreadPlanes& planes, unsigned which, const Thresholds& t, const BqrNode& n,
+HWY_INLINE Verdict<V> test_balls(const Planes& planes, unsigned which, const Thresholds& t, const BqrNode& n,
                                  std::size_t i) {
   const NodeTag d;
   Verdict<V> verdict{hn::Zero(d), hn::Zero(d)};
@@ -153,8 +122,8 @@ HWY_INLINE Verdict<V> test_balls(const SpreadPlanes& planes, unsigned which, con
     const int k = std::countr_zero(which);
     const Slope& p = planes.slopes[static_cast<std::size_t>(k)];
     const V out = set16(d, t.out[static_cast<std::size_t>(k)]), in = set16(d, t.in[static_cast<std::size_t>(k)]);
-    const V f = distance(d, p, hn::Xor(x, hn::Set(d, p.signs.flip[0])), hn::Xor(y, hn::Set(d, p.signs.flip[1])),
-                         hn::Xor(z, hn::Set(d, p.signs.flip[2])));
+    const V f = distance(d, p, hn::Xor(x, hn::Set(d, p.flip[0])), hn::Xor(y, hn::Set(d, p.flip[1])),
+                         hn::Xor(z, hn::Set(d, p.flip[2])));
     verdict.gone = hn::Or(verdict.gone, hn::SaturatedSub(out, hn::SaturatedAdd(f, r)));
     verdict.planes = hn::Or(verdict.planes, plane_bit(hn::SaturatedSub(hn::SaturatedAdd(in, r), f), k));
   }
@@ -163,18 +132,19 @@ HWY_INLINE Verdict<V> test_balls(const SpreadPlanes& planes, unsigned which, con
 
 /// And leaves in `need` what the objects are to be asked where a lane is a block.
 template <class V = hn::Vec<NodeTag>>
-HWY_INLINE Verdict<V> test_boxes(const SpreadPlanes& planes, unsigned which, const Thresholds& t, const BqrNode& n,
+HWY_INLINE Verdict<V> test_boxes(const Planes& planes, unsigned which, const Thresholds& t, const BqrNode& n,
                                  std::size_t i, std::array<Lanes16, kMaxPlanes>& need) {
   const NodeTag d;
   Verdict<V> verdict{hn::Zero(d), hn::Zero(d)};
   const int shift = n.shift;
   const V most = set16(d, 65535 >> shift);
+  const std::uint16_t* const box = n.box[0].data();
   for (; which != 0; which &= which - 1) {
     const int k = std::countr_zero(which);
     const Slope& p = planes.slopes[static_cast<std::size_t>(k)];
     const V out = set16(d, t.out[static_cast<std::size_t>(k)]), in = set16(d, t.in[static_cast<std::size_t>(k)]);
-    const auto inner = [&](std::size_t axis) { return hn::Load(d, &n.box[p.signs.inner[axis]][i]); };
-    const auto outer = [&](std::size_t axis) { return hn::Not(hn::Load(d, &n.box[p.signs.outer[axis]][i])); };
+    const auto inner = [&](std::size_t axis) { return hn::Load(d, box + p.inner[axis] + i); };
+    const auto outer = [&](std::size_t axis) { return hn::Not(hn::Load(d, box + p.outer[axis] + i)); };
     const V nearest = distance(d, p, outer(0), outer(1), outer(2));
     verdict.gone = hn::Or(verdict.gone, hn::SaturatedSub(out, distance(d, p, inner(0), inner(1), inner(2))));
     verdict.planes = hn::Or(verdict.planes, plane_bit(hn::SaturatedSub(in, nearest), k));
@@ -185,9 +155,9 @@ HWY_INLINE Verdict<V> test_boxes(const SpreadPlanes& planes, unsigned which, con
 }
 
 /// All lanes of a node against the planes of `which`.
-HWY_INLINE void test_node(const SpreadPlanes& planes, unsigned which, const BqrNode& n, NodeResult& result) {
+HWY_INLINE void test_node(const Planes& planes, unsigned which, const BqrNode& n, NodeResult& result) {
   const NodeTag d;
-  const Thresholds t = thresholds_of(*planes.planes, n);
+  const Thresholds t = thresholds_of(planes, n);
   std::uint32_t alive = 0, inside = 0;
   for (std::size_t i = 0; i < kLanes; i += hn::Lanes(d)) {
     auto [gone, crossed] = test_boxes(planes, which, t, n, i, result.need);
@@ -213,9 +183,13 @@ HWY_INLINE std::uint32_t lanes_of(const ClassMask* classes, ClassMask wanted) {
   return ~none & 0xFFFFU;
 }
 
+/// Of a packet; `at` is where a node's box has it.
+HWY_INLINE const std::uint16_t* column_of(const Packet& packet, std::size_t at) {
+  return packet.box[0].data() + at * (kPacket / kLanes);
+}
+
 /// Bit i: box i of a packet is not outside; bits of unused rows mean nothing. `need` as in NodeResult, of one lane.
-HWY_INLINE std::uint32_t kept(const SpreadPlanes& planes, unsigned which, const Packet& packet,
-                              const std::uint16_t* need) {
+HWY_INLINE std::uint32_t kept(const Planes& planes, unsigned which, const Packet& packet, const std::uint16_t* need) {
   const PacketTag d;
   constexpr std::size_t kWidth = hn::MaxLanes(d), kVectors = kPacket / kWidth;
   std::array<hn::Vec<PacketTag>, kVectors> gone;
@@ -226,7 +200,7 @@ HWY_INLINE std::uint32_t kept(const SpreadPlanes& planes, unsigned which, const 
     const auto out = hn::Set(d, need[k * kLanes]);
     for (std::size_t v = 0; v < kVectors; ++v) {
       const std::size_t i = v * kWidth;
-      const auto inner = [&](std::size_t axis) { return hn::Load(d, &packet.box[p.signs.inner[axis]][i]); };
+      const auto inner = [&](std::size_t axis) { return hn::Load(d, column_of(packet, p.inner[axis]) + i); };
       const auto f = distance(d, p, inner(0), inner(1), inner(2));
       gone[v] = hn::Or(gone[v], hn::SaturatedSub(out, f));
     }
@@ -241,31 +215,33 @@ HWY_INLINE hn::Vec<D> squeezed(D /*d*/, hn::Vec<D> v, std::uint32_t bits) {
   return hn::CompressBits(v, reinterpret_cast<const std::uint8_t*>(&bits));
 }
 
-inline ObjectRun* write_one_by_one(std::uint32_t first, std::uint32_t starts, std::uint32_t ends, ObjectRun* to) {
-  for (; starts != 0; starts &= starts - 1, ends &= ends - 1)
+inline ObjectRun* write_one_by_one(std::uint32_t first, std::uint32_t rows, ObjectRun* to) {
+  for (std::uint32_t starts = rows & ~(rows << 1), ends = rows & ~(rows >> 1); starts != 0;
+       starts &= starts - 1, ends &= ends - 1)
     *to++ = {first + static_cast<std::uint32_t>(std::countr_zero(starts)),
              first + static_cast<std::uint32_t>(std::countr_zero(ends)) + 1};
   return to;
 }
 
 /// Neighbouring rows whose bit is set are one run; row 0 is object `first`. There is room for 16 runs; the next goes to
-/// what is returned. How many there are nobody can foretell, so where vectors can they are written without a loop.
+/// what is returned. How many there are nobody can foretell, so where vectors can they are written without a loop:
+/// starts and ends in turn are the rows whose bit is not the last one's.
 HWY_INLINE ObjectRun* write_runs(std::uint32_t first, std::uint32_t rows, ObjectRun* to) {
-  const std::uint32_t starts = rows & ~(rows << 1), ends = rows & ~(rows >> 1);
 #if HWY_TARGET == HWY_AVX3_DL
-  const int n = std::popcount(starts);
-  if (n > 8) [[unlikely]]
-    return write_one_by_one(first, starts, ends, to);
-  const PacketTag d;
-  const hn::Half<NodeTag> eight;
-  const LaneTag wide;
-  const auto low = [&](auto v) { return hn::LowerHalf(eight, hn::LowerHalf(NodeTag{}, v)); };
-  const auto a = low(squeezed(d, hn::Iota(d, 0), starts)), b = low(squeezed(d, hn::Iota(d, 1), ends));
-  const auto pairs = hn::Combine(NodeTag{}, hn::InterleaveUpper(eight, a, b), hn::InterleaveLower(eight, a, b));
-  hn::StoreU(hn::Add(hn::PromoteTo(wide, pairs), hn::Set(wide, first)), wide, &to->first);
-  return to + n;
+  const std::uint32_t turns = rows ^ rows << 1;
+  const int n = std::popcount(turns);
+  if (n > 16) [[unlikely]]
+    return write_one_by_one(first, rows, to);
+  const hn::RebindToSigned<PacketTag> d;
+  const hn::RebindToSigned<LaneTag> wide;
+  // Counted from the packet's end: what is left of the vector is 0, so a run that goes to the end ends there.
+  const auto at =
+      hn::LowerHalf(hn::RebindToSigned<NodeTag>{}, squeezed(d, hn::Iota(d, -static_cast<int>(kPacket)), turns));
+  const auto end = hn::Set(wide, static_cast<std::int32_t>(first + kPacket));
+  hn::StoreU(hn::Add(hn::PromoteTo(wide, at), end), wide, reinterpret_cast<std::int32_t*>(to));
+  return to + (n + 1) / 2;
 #else
-  return write_one_by_one(first, starts, ends, to);
+  return write_one_by_one(first, rows, to);
 #endif
 }
 

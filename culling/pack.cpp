@@ -14,6 +14,9 @@ constexpr std::uint32_t kColumns = 6;
 
 std::uint32_t filled(std::uint32_t objects) { return (objects + kPacket - 1) / kPacket; }
 
+/// Packets whose boxes enclose a packet each, of a block with so many objects.
+std::uint32_t enclosing(std::uint32_t objects) { return filled(objects) > kFew ? filled(filled(objects)) : 0; }
+
 /// Bits 0 to 15 of x to every second place.
 std::uint32_t spread(std::uint32_t x) {
   x = (x | x << 8) & 0x00FF00FFU;
@@ -37,6 +40,10 @@ bool encloses(const SphereD& ball, const BoxD& box) {
   return glm::length(farthest) <= ball.radius;
 }
 
+/// Of the way to a box's corners: spheres that reach no farther are asked. Wider ones spare no packet and hardly a node
+/// (docs/measurements.md).
+constexpr double kNarrow = 0.8;
+
 struct Packing {
   std::uint32_t key;
   std::uint32_t row;  // of the input
@@ -48,12 +55,12 @@ void widen(Packet& packet, std::size_t i, const Reaches& r) {
   for (std::size_t k = 0; k < kColumns; ++k) packet.box[k][i] = std::max(packet.box[k][i], r[k]);
 }
 
-void write_packets(Packet* out, const std::vector<Packing>& objects) {
-  Packet* const packets =
-      out + packets_of(static_cast<std::uint32_t>(objects.size())) - filled(static_cast<std::uint32_t>(objects.size()));
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    const std::size_t p = i / kPacket;
-    widen(packets[p], i % kPacket, objects[i].reaches);
+/// From a row of the first packet on.
+void write_packets(Packet* out, std::size_t row, const std::vector<Packing>& objects) {
+  Packet* const packets = out + enclosing(static_cast<std::uint32_t>(objects.size()));
+  for (std::size_t i = 0; i < objects.size(); ++i, ++row) {
+    const std::size_t p = row / kPacket;
+    widen(packets[p], row % kPacket, objects[i].reaches);
     if (packets != out) widen(out[p / kPacket], p % kPacket, objects[i].reaches);
   }
 }
@@ -110,6 +117,14 @@ void set_volumes(BqrNode& node, std::uint32_t lane, const BoxD& box, const Spher
   if (!encloses(ball, box)) node.balls |= static_cast<std::uint16_t>(1U << lane);
 }
 
+void leave_out_wide_balls(BqrNode& node) {
+  for (std::uint32_t i = 0; i < kLanes; ++i) {
+    const SphereD ball = lane_sphere(node, i);
+    if (encloses({ball.center, ball.radius / kNarrow}, lane_box(node, i)))
+      node.balls &= static_cast<std::uint16_t>(~(1U << i));
+  }
+}
+
 SphereD lane_sphere(const BqrNode& node, std::uint32_t lane) {
   const Lattice l = lattice_of(node);
   const auto& s = node.sphere;
@@ -131,8 +146,10 @@ std::uint8_t finest_shift(const BqrNode& node) {
   return static_cast<std::uint8_t>(std::bit_width(65535U / extent) - 1);
 }
 
-std::uint32_t packets_of(std::uint32_t objects) {
-  return filled(objects) + (filled(objects) > kFew ? filled(filled(objects)) : 0);
+std::uint32_t rows_of(std::uint32_t objects) { return enclosing(objects) * kPacket + objects; }
+
+std::uint32_t first_row(std::uint32_t free, std::uint32_t objects) {
+  return free % kPacket + objects <= kPacket ? free : filled(free) * kPacket;
 }
 
 void pack_objects(BqrTree& tree, std::uint32_t block, const BlockObjects& objects, std::uint32_t from,
@@ -154,7 +171,7 @@ void pack_objects(BqrTree& tree, std::uint32_t block, const BlockObjects& object
   }
   std::sort(packing.begin(), packing.end(),
             [](const Packing& a, const Packing& b) { return std::pair(a.key, a.row) < std::pair(b.key, b.row); });
-  write_packets(&tree.packets[node.child[lane]], packing);
+  write_packets(&tree.packets[node.child[lane] / kPacket], node.child[lane] % kPacket, packing);
   for (std::uint32_t i = 0; i < packing.size(); ++i) {
     tree.object_order[run.first + i] = packing[i].row;
     if (tree.classes.empty()) continue;

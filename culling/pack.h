@@ -20,11 +20,19 @@ Lattice lattice_of(const BqrNode& node);
 /// within it, what reaches beyond is cut off.
 void set_volumes(BqrNode& node, std::uint32_t lane, const BoxD& box, const SphereD& ball);
 
+/// Leaves out the spheres that cut little off the corners of their boxes: what they tell does not pay for the asking.
+void leave_out_wide_balls(BqrNode& node);
+
 /// How much finer the lattices of a node's blocks can be: that of the largest must not end before its box does.
 std::uint8_t finest_shift(const BqrNode& node);
 
-/// Packets of so many objects, 32 each. Before more than a few come some whose boxes enclose a packet each.
-std::uint32_t packets_of(std::uint32_t objects);
+/// Rows of packets, 32 each, that a block with so many objects takes. Before more than a few packets come some whose
+/// boxes enclose a packet each.
+std::uint32_t rows_of(std::uint32_t objects);
+
+/// Where these rows begin, if those before `free` are taken: a block that fits into one packet is in one, a block that
+/// does not begins one.
+std::uint32_t first_row(std::uint32_t free, std::uint32_t objects);
 
 /// Writes the packets, the classes and the order of a block's objects; the block has its place, its run and room for
 /// its packets. Rows of the input from `from`. Throws for bad objects.

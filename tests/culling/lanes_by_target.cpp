@@ -16,10 +16,8 @@ void node_answer(const Planes& planes, unsigned which, const BqrNode& node, test
   const Thresholds t = thresholds_of(planes, node);
   answer.t_out = t.out;
   answer.t_in = t.in;
-  SpreadPlanes spread_planes;
-  spread(planes, spread_planes);
   NodeResult result;
-  test_node(spread_planes, which, node, result);
+  test_node(planes, which, node, result);
   answer.need = result.need;
   answer.planes = result.planes;
   answer.alive = result.alive;
@@ -27,9 +25,7 @@ void node_answer(const Planes& planes, unsigned which, const BqrNode& node, test
 }
 
 std::uint32_t packet_answer(const Planes& planes, unsigned which, const Packet& packet, const std::uint16_t* need) {
-  SpreadPlanes spread_planes;
-  spread(planes, spread_planes);
-  return kept(spread_planes, which, packet, need);
+  return kept(planes, which, packet, need);
 }
 
 }  // namespace manzana::culling::HWY_NAMESPACE

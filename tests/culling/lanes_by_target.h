@@ -5,7 +5,7 @@
 namespace manzana::culling::test {
 
 struct NodeAnswer {
-  std::array<std::int32_t, kMaxPlanes> t_out{}, t_in{};
+  std::array<std::uint16_t, kMaxPlanes> t_out{}, t_in{};
   std::array<Lanes16, kMaxPlanes> need{};
   Lanes16 planes{};
   std::uint32_t alive = 0, inside = 0;

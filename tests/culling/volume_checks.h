@@ -49,17 +49,18 @@ class VolumeChecks {
     const std::uint32_t n = last - first, packets = (n + kPacket - 1) / kPacket,
                         enclosing = packets > kFew ? (packets + kPacket - 1) / kPacket : 0;
     const std::size_t begin = node.child[lane];
-    if (n > 0) REQUIRE(begin + packets_of(n) <= tree_.packets.size());
+    if (n > 0) REQUIRE(begin + rows_of(n) <= tree_.packets.size() * kPacket);
+    REQUIRE((n == 0 || begin % kPacket + std::min(n, kPacket) <= kPacket));  // one packet, or the first of several
     const BoxD frame = lane_box(node, lane);
     const double step = std::ldexp(static_cast<double>(node.step), -node.shift);
     for (std::uint32_t i = 0; i < n; ++i) {
       const BoxD& box = box_of(first + i);
       const std::uint32_t p = i / kPacket;
-      const BoxD own = decoded(frame, step, begin + enclosing + p, i % kPacket);
+      const BoxD own = decoded(frame, step, begin + enclosing * kPacket + i);
       REQUIRE(contains(own, box));
       REQUIRE(within(own, box, static_cast<Real>(step)));
       if (enclosing == 0) continue;
-      REQUIRE(contains(decoded(frame, step, begin + p / kPacket, p % kPacket), box));
+      REQUIRE(contains(decoded(frame, step, begin + p), box));
     }
   }
 
@@ -78,8 +79,8 @@ class VolumeChecks {
     return std::max({low.x, low.y, low.z, high.x, high.y, high.z}) <= distance + tolerance_;
   }
 
-  BoxD decoded(const BoxD& frame, double step, std::size_t packet, std::uint32_t i) const {
-    const auto at = [&](std::uint32_t k) { return step * tree_.packets.at(packet).box.at(k).at(i); };
+  BoxD decoded(const BoxD& frame, double step, std::size_t row) const {
+    const auto at = [&](std::uint32_t k) { return step * tree_.packets.at(row / kPacket).box.at(k).at(row % kPacket); };
     return {frame.max - Vec3d(at(3), at(4), at(5)), frame.min + Vec3d(at(0), at(1), at(2))};
   }
 
