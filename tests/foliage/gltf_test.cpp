@@ -124,6 +124,43 @@ TEST_CASE("nodes scaled to nothing are left out") {
   CHECK(gltf_triangles(b.model).size() == 1);
 }
 
+TEST_CASE("extras say what organ a node, a mesh or a primitive is, the nearest to the triangles first") {
+  const auto organ = [](const char* name) {
+    return tinygltf::Value(tinygltf::Value::Object{{"organ", tinygltf::Value(std::string(name))}});
+  };
+  Builder b;
+  b.node(b.mesh(b.positions(kTriangle))).extras = organ("fruit");
+  CHECK(gltf_triangles(b.model).at(0).told == PlantPart::fruit);
+  b.model.meshes[0].extras = organ("branch");
+  CHECK(gltf_triangles(b.model).at(0).told == PlantPart::branch);
+  b.model.meshes[0].primitives[0].extras = organ("leaf");
+  CHECK(gltf_triangles(b.model).at(0).told == PlantPart::leaf);
+  b.model.meshes[0].primitives[0].extras = organ("windmill");
+  CHECK(gltf_triangles(b.model).at(0).told == PlantPart::branch);
+  b.model.nodes[0].extras = tinygltf::Value(3);
+  b.model.meshes[0].extras = tinygltf::Value(tinygltf::Value::Object{{"organ", tinygltf::Value(3)}});
+  CHECK(!gltf_triangles(b.model).at(0).told);
+}
+
+TEST_CASE("branch ids are whole numbers from 0, one for each vertex") {
+  Builder b;
+  b.node(b.mesh(b.positions(kTriangle)));
+  auto& attributes = b.model.meshes[0].primitives[0].attributes;
+  CHECK(gltf_triangles(b.model).at(0).branch_ids.empty());
+  const auto ids = [&](const std::vector<float>& values) {
+    attributes["_BRANCHID"] =
+        b.accessor(b.view(values), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR, values.size());
+  };
+  ids({4, 4, 5});
+  CHECK(gltf_triangles(b.model).at(0).branch_ids == std::vector<std::int32_t>{4, 4, 5});
+  ids({4, 4});
+  CHECK_THROWS_WITH(gltf_triangles(b.model), Catch::Contains("differ in count"));
+  for (const float bad : {-1.0F, 1e9F, std::nanf("")}) {
+    ids({4, 4, bad});
+    CHECK_THROWS_WITH(gltf_triangles(b.model), Catch::Contains("_BRANCHID is not within"));
+  }
+}
+
 TEST_CASE("only the default scene is read") {
   Builder b;
   const int mesh = b.mesh(b.positions(kTriangle));
