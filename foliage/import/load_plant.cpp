@@ -84,7 +84,8 @@ class Shelf {
   Shelf(fs::path folder, const PlantSource& source, const PrepareOptions& options)
       : folder_(std::move(folder)), source_(source) {
     description_ = "format " + std::to_string(kPlantFormat) + " cells " + std::to_string(options.quads_per_cell) +
-                   " levels " + std::to_string(options.branch_levels) + " seed " + std::to_string(options.seed) +
+                   " levels " + std::to_string(options.branch_levels) + " by " +
+                   std::to_string(static_cast<int>(options.branch_order)) + " seed " + std::to_string(options.seed) +
                    " of " + std::to_string(source.seed) + " " + source.system + " name " + source.file.stem().string() +
                    " content " + checksum(content_of(source.file));
   }
