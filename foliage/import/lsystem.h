@@ -17,7 +17,7 @@ namespace manzana::foliage {
 /// What the strings of the book leave open.
 struct LSystemLook {
   double height_m = 1;       ///< of the whole plant
-  double radius_m = 0.01;    ///< of the first segment
+  double radius_m = 0.004;   ///< of the first segment
   double narrowing = 0.7;    ///< ! multiplies the radius by it, in (0, 1]
   double surface_steps = 1;  ///< length of a predefined surface (~L, ~K), in steps of the turtle
   std::uint32_t bark_rgb = 0x6b5a48;

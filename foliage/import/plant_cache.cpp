@@ -26,32 +26,18 @@ struct Header {
 };
 static_assert(sizeof(Header) == 32);
 
-/// Everything that a prepared plant holds, in the file's order: one list of fields for writing and for reading.
+/// Everything that a prepared plant holds, in the file's order: one list for writing and for reading. Does not compile
+/// for a plant that has one member more.
 template <class Plant, class Visit>
 void each_field(Plant& plant, Visit&& visit) {
-  visit(plant.name);
-  visit(plant.height_m);
-  visit(plant.crown_radius_m);
-  for (auto* image : {&plant.leaf_image, &plant.bark_image}) {
-    visit(image->size);
-    visit(image->rgba);
-  }
-  visit(plant.bark);
-  visit(plant.branch_levels);
-  visit(plant.branch_steps);
-  visit(plant.lines);
-  visit(plant.leaves);
-  visit(plant.cells);
-  visit(plant.shuffled);
-  visit(plant.large_quads);
-  visit(plant.points);
-  visit(plant.large_points);
-  visit(plant.point_levels);
-  visit(plant.leaf_lines);
-  visit(plant.leaf_area_m2);
-  visit(plant.leaf_scale);
-  visit(plant.visibility.side);
-  visit(plant.visibility.share);
+  auto& [name, height_m, crown_radius_m, leaf_image, bark_image, bark, branch_levels, branch_steps, lines, leaves,
+         cells, shuffled, large_quads, points, large_points, point_levels, leaf_lines, leaf_area_m2, leaf_scale,
+         visibility] = plant;
+  const auto all = [&](auto&... fields) { (visit(fields), ...); };
+  all(name, height_m, crown_radius_m, leaf_image.size, leaf_image.rgba, bark_image.size, bark_image.rgba);
+  all(bark, branch_levels, branch_steps, lines);
+  all(leaves, cells, shuffled, large_quads, points, large_points, point_levels, leaf_lines, leaf_area_m2, leaf_scale);
+  all(visibility.side, visibility.share);
 }
 
 class Writer {

@@ -16,6 +16,7 @@ namespace {
 Plant drawn(const std::string& axiom, double height, double angle = 90) {
   LSystem system{"test", axiom, {}, angle, 0, {}};
   system.look.height_m = height;
+  system.look.radius_m = 0.01;
   Plant plant = grow_plant(system);
   check(plant);
   return plant;
@@ -164,4 +165,25 @@ TEST_CASE("turtle: the plants of the book") {
     CHECK(plant.terminals.size() == static_cast<std::size_t>(std::count(string.begin(), string.end(), '{')));
     CHECK(plant.branches.size() <= static_cast<std::size_t>(std::count(string.begin(), string.end(), '[')) + 1);
   }
+}
+
+TEST_CASE("turtle: the herb has a hundred and six lines, and grass has blades that bend") {
+  const auto read = [](const char* name) {
+    return grow_plant(parse_lsystems(read_all(std::string(MANZANA_PLANTS "/") + name)).at(0));
+  };
+  const auto lines = [](const Plant& plant) {
+    std::size_t pieces = 0;
+    for (const Branch& branch : plant.branches) pieces += branch.line.size() - 1;
+    return pieces;
+  };
+  const Plant herb = read("herb.json"), grass = read("grass.json");
+  check(herb);
+  check(grass);
+  CHECK(lines(herb) == 106);
+  CHECK(herb.terminals.size() > 100);
+  CHECK(std::count_if(herb.terminals.begin(), herb.terminals.end(),
+                      [](const Terminal& t) { return t.organ == Organ::flower; }) > 10);
+  CHECK(grass.terminals.empty());
+  CHECK(grass.branches.size() == 21);
+  CHECK(lines(grass) == 84);
 }
