@@ -7,6 +7,7 @@
 
 #include "foliage/random.h"
 #include "foliage/raster.h"
+#include "foliage/sets.h"
 
 namespace manzana::foliage {
 namespace {
@@ -64,11 +65,6 @@ struct Card {
   std::size_t group = 0;
 };
 
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t v) {
-  while (parent[v] != v) v = parent[v] = parent[parent[v]];
-  return v;
-}
-
 /// For each vertex the first one at its place: where normals differ, a file has several.
 std::vector<std::uint32_t> joined_by_place(const MeshPart& part) {
   std::vector<std::uint32_t> order(part.vertices.size()), first(part.vertices.size());
@@ -85,13 +81,14 @@ std::vector<std::uint32_t> joined_by_place(const MeshPart& part) {
 
 /// Triangles that share a corner are one card.
 std::vector<Card> find_cards(const MeshPart& leaves) {
-  std::vector<std::uint32_t> parent = joined_by_place(leaves);
+  const std::vector<std::uint32_t> same = joined_by_place(leaves);
+  Sets sets(leaves.vertices.size());
   for (std::size_t i = 0; i < leaves.indices.size(); ++i)
-    parent[root_of(parent, leaves.indices[i])] = root_of(parent, leaves.indices[i - i % 3]);
+    sets.join(same[leaves.indices[i]], same[leaves.indices[i - i % 3]]);
   std::vector<Card> cards;
-  std::vector<std::uint32_t> card_of(parent.size(), ~0U);
+  std::vector<std::uint32_t> card_of(same.size(), ~0U);
   for (std::uint32_t t = 0; t + 2 < leaves.indices.size(); t += 3) {
-    std::uint32_t& card = card_of[root_of(parent, leaves.indices[t])];
+    std::uint32_t& card = card_of[sets.find(same[leaves.indices[t]])];
     if (card == ~0U) card = static_cast<std::uint32_t>(cards.size()), cards.emplace_back();
     cards[card].triangles.push_back(t);
   }
