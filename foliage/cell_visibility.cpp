@@ -70,21 +70,6 @@ class IdPicture {
   std::vector<Texel> texels_;
 };
 
-/// Of all quads that may be drawn.
-ParallelView view_of(const PreparedPlant& plant, const Vec3d& to_eye, int pixels) {
-  Vec3 low(3e38F), high(-3e38F);
-  for (const auto* part : {&plant.bark, &plant.leaves})
-    for (const PlantQuad& quad : *part)
-      for (const PlantQuad::Corner& c : quad.corners)
-        low = glm::min(low, c.position), high = glm::max(high, c.position);
-  return {to_eye, 0.5F * (low + high), std::max(0.5F * glm::length(high - low), 1e-6F), pixels};
-}
-
-Run finest_bark(const PreparedPlant& plant) {
-  if (plant.branch_levels.empty()) return {0, static_cast<std::uint32_t>(plant.bark.size())};
-  return plant.branch_levels[0].quads;
-}
-
 /// Of a vertex of the grid the first one with its direction.
 std::uint32_t first_of_pair(std::uint32_t side, std::uint32_t i, std::uint32_t j) {
   if (j == 0 || j == side - 1) i = std::min(i, side - 1 - i);

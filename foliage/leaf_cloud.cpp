@@ -45,6 +45,7 @@ class LeafCloud {
     make_points();
     make_lines();
     ready_.leaf_scale = fit_leaf_scale(ready_).scale;
+    fit_points();
   }
 
  private:
@@ -130,6 +131,15 @@ class LeafCloud {
       sum += static_cast<double>(point.area);
     }
     ready_.point_levels.push_back({{first, static_cast<std::uint32_t>(ready_.points.size())}, static_cast<float>(sum)});
+  }
+
+  void fit_points() {
+    const std::vector<float> factors = fit_point_areas(ready_);
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+      PointLevel& level = ready_.point_levels[i];
+      level.area *= factors[i];
+      for (std::uint32_t p = level.points.first; p < level.points.last; ++p) ready_.points[p].area *= factors[i];
+    }
   }
 
   /// Where most of the leaves' area is of thin ones.

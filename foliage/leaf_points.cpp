@@ -91,10 +91,10 @@ CloudPoint point_at(const PlantQuad& quad, const Weights& w, Organ organ) {
 /// The piece of a triangle's shape that is 1 / shrink as long and wide, about `place` but inside.
 Piece neighbourhood(const Piece& t, const Vec2d& place, double shrink) {
   const double size = 1 / shrink;
-  Vec2d low = place - Vec2d(size / 3);
-  low = glm::max(low, Vec2d(0));
-  const double over = low.x + low.y + size - 1;
-  if (over > 0) low = glm::max(low - Vec2d(over / 2), Vec2d(0));
+  Vec2d low = glm::max(place - Vec2d(size / 3), Vec2d(0));
+  const auto over = [&] { return std::max(low.x + low.y + size - 1, 0.0); };
+  low = glm::max(low - Vec2d(over() / 2), Vec2d(0));
+  low = glm::max(low - Vec2d(over()), Vec2d(0));  // one of them is 0, and the other takes what is left
   const auto at = [&](const Vec2d& p) { return t[0] + (t[1] - t[0]) * p.x + (t[2] - t[0]) * p.y; };
   return {at(low), at(low + Vec2d(size, 0)), at(low + Vec2d(0, size))};
 }
@@ -146,12 +146,12 @@ PointCloud QuadPoints::many(const PlantQuad& quad, Organ organ, std::uint32_t co
   std::array<std::array<Vec3d, 3>, 2> surface;
   for (std::size_t t = 0; t < 2; ++t)
     for (std::size_t k = 0; k < 3; ++k) surface[t][k] = position_at(quad, pieces[t][k]);
+  constexpr double kAir = 0.01;  // a packed uv of 1 is a little more, and sees the other side of the picture
   PointCloud points;
   double sum = 0, wanted = 0;
   for (const SurfacePoint& at : poisson_disk(surface, {.count = count, .seed = seed})) {
     const Piece around = neighbourhood(pieces[at.triangle], at.place, std::sqrt(0.5 * count));
-    points.push_back(table_->point(quad, around, organ));
-    if (points.back().area <= 0) points.pop_back();
+    if (table_->mean(quad, around).alpha > kAir) points.push_back(table_->point(quad, around, organ));
   }
   for (const CloudPoint& p : points) sum += static_cast<double>(p.area);
   for (const CloudPoint& p : four(quad, organ)) wanted += static_cast<double>(p.area);

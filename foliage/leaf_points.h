@@ -34,7 +34,7 @@ class QuadPoints {
   explicit QuadPoints(const Image& image);
   ~QuadPoints();
   std::array<CloudPoint, 4> four(const PlantQuad& quad, Organ organ);
-  /// Spread by Poisson disks, in an order of which any first few are spread: for large leaves. Those without area are
+  /// Spread by Poisson disks, in an order of which any first few are spread: for large leaves. Those on air are
   /// left out; the sum of area is that of four().
   PointCloud many(const PlantQuad& quad, Organ organ, std::uint32_t count, std::uint64_t seed);
 

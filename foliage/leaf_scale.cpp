@@ -14,26 +14,12 @@ namespace {
 
 constexpr std::size_t kViews = LeafScaleFit::kViews;
 constexpr int kPixels = 256;
+constexpr float kMargin = 1.1F;  // leaves grow out of the crown
 
 /// From half around, since a silhouette is the same from behind; by turns level and from above.
 Vec3d view_direction(std::size_t view) {
   const double angle = 3.14159265358979 * static_cast<double>(view) / kViews + 0.1;
   return glm::normalize(Vec3d(std::cos(angle), std::sin(angle), view % 2 == 0 ? 0.05 : 0.6));
-}
-
-struct Ball {
-  Vec3 centre;
-  float radius;
-};
-
-/// With room for leaves that grow out of the crown.
-Ball ball_of(const PreparedPlant& plant) {
-  Vec3 low(3e38F), high(-3e38F);
-  for (const auto* part : {&plant.bark, &plant.leaves})
-    for (const PlantQuad& quad : *part)
-      for (const PlantQuad::Corner& c : quad.corners)
-        low = glm::min(low, c.position), high = glm::max(high, c.position);
-  return {0.5F * (low + high), 0.55F * glm::length(high - low)};
 }
 
 using Hits = std::vector<std::uint8_t>;
@@ -42,33 +28,55 @@ using Hits = std::vector<std::uint8_t>;
 class Silhouettes {
  public:
   explicit Silhouettes(const PreparedPlant& plant) : plant_(plant), holes_(plant.leaf_image) {
-    const Ball ball = ball_of(plant);
     for (std::size_t v = 0; v < kViews; ++v) {
-      views_.emplace_back(view_direction(v), ball.centre, ball.radius, kPixels);
+      views_.push_back(view_of(plant, view_direction(v), kPixels, kMargin));
       bark_.emplace_back(std::size_t{kPixels} * kPixels, std::uint8_t{0});
     }
     tbb::parallel_for(std::size_t{0}, kViews, [&](std::size_t v) {
-      for (const PlantQuad& quad : plant.bark) draw(quad, 1, false, views_[v], bark_[v]);
+      const Run bark = finest_bark(plant);
+      for (std::uint32_t q = bark.first; q < bark.last; ++q) draw(plant.bark[q], 1, false, views_[v], bark_[v]);
     });
   }
 
   using Coverage = std::array<std::size_t, kViews>;  // pixels
 
   Coverage coverage(double u, float scale) const {
-    Coverage count{};
-    tbb::parallel_for(std::size_t{0}, kViews, [&](std::size_t v) {
-      Hits hits = bark_[v];
+    return counted([&](std::size_t v, Hits& hits) {
       for (std::uint32_t c = 0; c < plant_.cells.size(); ++c) {
         const Run& quads = plant_.cells[c].quads;
         const auto last = quads.first + static_cast<std::uint32_t>(kept(quads.size(), u, cell_threshold(c)));
         for (std::uint32_t q = quads.first; q < last; ++q) draw(plant_.leaves[q], scale, true, views_[v], hits);
       }
+    });
+  }
+
+  /// Of points drawn as squares, `factor` times their areas.
+  Coverage point_coverage(const Run& points, float factor) const {
+    return counted([&](std::size_t v, Hits& hits) {
+      for (std::uint32_t p = points.first; p < points.last; ++p) draw(plant_.points[p], factor, views_[v], hits);
+    });
+  }
+
+ private:
+  template <class Draw>  // void(std::size_t view, Hits&)
+  Coverage counted(Draw&& draw_all) const {
+    Coverage count{};
+    tbb::parallel_for(std::size_t{0}, kViews, [&](std::size_t v) {
+      Hits hits = bark_[v];
+      draw_all(v, hits);
       count[v] = static_cast<std::size_t>(std::count(hits.begin(), hits.end(), 1));
     });
     return count;
   }
 
- private:
+  static void draw(const LeafPoint& point, float factor, const ParallelView& view, Hits& hits) {
+    const Vec2 middle = view.pixel(point.position), half(0.5F * view.pixels_of(std::sqrt(point.area * factor)));
+    const auto pixel = [](float v) { return static_cast<int>(std::clamp(std::ceil(v - 0.5F), 0.0F, 1.0F * kPixels)); };
+    const Vec2 low = middle - half, high = middle + half;
+    for (int y = pixel(low.y); y < pixel(high.y); ++y)
+      std::fill(hits.begin() + y * kPixels + pixel(low.x), hits.begin() + y * kPixels + pixel(high.x), std::uint8_t{1});
+  }
+
   void draw(const PlantQuad& quad, float scale, bool leaf, const ParallelView& view, Hits& hits) const {
     std::array<Vec2, 4> at, uv;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -94,25 +102,26 @@ double sum(const Silhouettes::Coverage& coverage) {
   return all;
 }
 
-/// The scale at which the coverage is the wanted one, from `least` on: coverage grows with it.
-float fit(const Silhouettes& pictures, double u, double wanted, float least) {
-  constexpr float kMost = 16;
+/// Where a growing function is 0, between `least` and `most`; an end where it is not. By false position over the
+/// logarithm, kept off the ends.
+template <class Function>  // double(float)
+float root(float least, float most, Function&& function) {
   constexpr double kNear = 0.0005;  // of the coverage: a third of what 500 000 pixels scatter
-  double low = std::log2(static_cast<double>(least)), high = low;
-  double below = sum(pictures.coverage(u, least)) / wanted - 1, above = below;
-  while (above < 0 && high < std::log2(static_cast<double>(kMost))) {
-    low = high, below = above;
-    high += 0.25;
-    above = sum(pictures.coverage(u, static_cast<float>(std::exp2(high)))) / wanted - 1;
-  }
+  const auto at = [&](double exponent) { return function(static_cast<float>(std::exp2(exponent))); };
+  const double end = std::log2(static_cast<double>(most));
+  double low = std::log2(static_cast<double>(least)), high = low, below = at(low), above = below;
   if (below >= 0) return least;
-  if (above <= 0) return kMost;
-  for (int round = 0; round < 6; ++round) {  // the false position, kept off the ends
-    const double t = std::clamp(-below / (above - below), 0.1, 0.9), middle = low + (high - low) * t;
-    const double at = sum(pictures.coverage(u, static_cast<float>(std::exp2(middle)))) / wanted - 1;
-    (at < 0 ? low : high) = middle;
-    (at < 0 ? below : above) = at;
-    if (std::abs(at) < kNear) return static_cast<float>(std::exp2(middle));
+  while (above < 0 && high < end) {
+    low = high, below = above;
+    high = std::min(high + 0.25, end);
+    above = at(high);
+  }
+  if (above <= 0) return most;
+  for (int round = 0; round < 6; ++round) {
+    const double middle = low + (high - low) * std::clamp(-below / (above - below), 0.1, 0.9), value = at(middle);
+    (value < 0 ? low : high) = middle;
+    (value < 0 ? below : above) = value;
+    if (std::abs(value) < kNear) return static_cast<float>(std::exp2(middle));
   }
   return static_cast<float>(std::exp2(low + (high - low) * -below / (above - below)));
 }
@@ -127,12 +136,23 @@ LeafScaleFit fit_leaf_scale(const PreparedPlant& plant) {
   const Silhouettes::Coverage full = pictures.coverage(1, 1);
   for (std::size_t i = 1; i < kLeafScales; ++i) {
     const double u = std::exp2(-0.5 * static_cast<double>(i));
-    out.scale[i] = fit(pictures, u, sum(full), out.scale[i - 1]);
+    out.scale[i] = root(out.scale[i - 1], 16, [&](float s) { return sum(pictures.coverage(u, s)) / sum(full) - 1; });
     const Silhouettes::Coverage now = pictures.coverage(u, out.scale[i]);
     for (std::size_t v = 0; v < kViews; ++v)
       out.residual[i][v] = static_cast<float>(now[v]) / static_cast<float>(full[v]) - 1;
   }
   return out;
+}
+
+std::vector<float> fit_point_areas(const PreparedPlant& plant) {
+  if (plant.leaves.empty()) return {};
+  const Silhouettes pictures(plant);
+  const double full = sum(pictures.coverage(1, 1));
+  std::vector<float> factors;
+  for (const PointLevel& level : plant.point_levels)
+    factors.push_back(
+        root(0.125F, 8, [&](float f) { return sum(pictures.point_coverage(level.points, f)) / full - 1; }));
+  return factors;
 }
 
 float leaf_scale_at(const std::array<float, kLeafScales>& scale, float u) {

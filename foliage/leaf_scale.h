@@ -20,6 +20,11 @@ struct LeafScaleFit {
 /// second for 100 000 triangles, on all cores.
 LeafScaleFit fit_leaf_scale(const PreparedPlant& plant);
 
+/// For each level of points by which factor its points' areas cover, as squares, what the leaves cover. Half the
+/// leaves' area is right only for points far apart: at the finest level points of one leaf hide each other, and merged
+/// ones no longer hide each other as the leaves did. In [1/8, 8].
+std::vector<float> fit_point_areas(const PreparedPlant& plant);
+
 /// At any u in (0, 1], between the fitted ones by the logarithm of u; 1 from u = 1 on, the last below the last.
 float leaf_scale_at(const std::array<float, kLeafScales>& scale, float u);
 

@@ -30,7 +30,8 @@ static_assert(sizeof(PlantQuad) == 96);
 /// 32 bytes. Stands for leaf triangles, one or many. [Deussen 2005, section 10; Gadbem 2011, section 3.5]
 struct LeafPoint {
   Vec3 position;
-  float area;            ///< m2 that it hides, seen from anywhere: half the triangles' area, times their alpha
+  float area;            ///< m2 that it hides, seen from anywhere: half the triangles' area, times their alpha, times
+                         ///< what is fitted for its level so that all of it cover, as squares, what the leaves do
   std::uint32_t normal;  ///< pack_normal, with the branch's level
   std::uint32_t colour;  ///< sRGB, r lowest: mean of the texels in linear light, weighted by alpha
   float shade;           ///< in [0, 1]

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "foliage/plant_model.h"
+#include "foliage/prepared_plant.h"
 
 namespace manzana::foliage {
 
@@ -63,6 +63,7 @@ class ParallelView {
     const Vec3 d = p - centre_;
     return Vec2(glm::dot(d, right_), glm::dot(d, up_)) * scale_ + Vec2(0.5F * static_cast<float>(pixels_));
   }
+  float pixels_of(float metres) const { return metres * scale_; }
   float nearness(const Vec3& p) const { return glm::dot(p - centre_, depth_); }  ///< m towards the eye
 
  private:
@@ -70,5 +71,21 @@ class ParallelView {
   int pixels_;
   float scale_;
 };
+
+/// Bark as it is at its best.
+inline Run finest_bark(const PreparedPlant& plant) {
+  if (plant.branch_levels.empty()) return {0, static_cast<std::uint32_t>(plant.bark.size())};
+  return plant.branch_levels[0].quads;
+}
+
+/// Of the ball round all corners, `margin` times as large.
+inline ParallelView view_of(const PreparedPlant& plant, const Vec3d& to_eye, int pixels, float margin = 1) {
+  Vec3 low(3e38F), high(-3e38F);
+  for (const auto* part : {&plant.bark, &plant.leaves})
+    for (const PlantQuad& quad : *part)
+      for (const PlantQuad::Corner& c : quad.corners)
+        low = glm::min(low, c.position), high = glm::max(high, c.position);
+  return {to_eye, 0.5F * (low + high), std::max(0.5F * margin * glm::length(high - low), 1e-6F), pixels};
+}
 
 }  // namespace manzana::foliage

@@ -11,6 +11,7 @@
 #include "foliage/import/species.h"
 #include "foliage/leaf_quads.h"
 #include "foliage/leaf_scale.h"
+#include "foliage/prepare.h"
 #include "tests/support/data.h"
 
 namespace manzana::foliage {
@@ -43,7 +44,8 @@ void check_points(const PreparedPlant& ready) {
   const double all = static_cast<double>(ready.leaf_area_m2);
   for (std::size_t i = 0; i < ready.point_levels.size(); ++i) {
     const PointLevel& level = ready.point_levels[i];
-    CHECK(static_cast<double>(level.area) == Approx(all / 2).epsilon(1e-4));
+    CHECK(static_cast<double>(level.area) > all / 2 / 8.01);
+    CHECK(static_cast<double>(level.area) < all / 2 * 8.01);
     double sum = 0;
     for (std::uint32_t p = level.points.first; p < level.points.last; ++p)
       sum += static_cast<double>(ready.points[p].area);
@@ -97,16 +99,18 @@ TEST_CASE("figures of leaf sizes", "[.figures]") {
   for (const char* name : {"ash_medium", "aspen_medium_modelled", "oak_dense", "oak_medium", "pine_medium"}) {
     const auto file = data_file("trees/" + std::string(name) + ".glb");
     if (!file) return;
-    PreparedPlant ready;
     const Plant plant = read_plant(*file);
     const auto start = std::chrono::steady_clock::now();
-    prepare_leaves(plant, {}, ready);
+    const PreparedPlant ready = prepare(plant);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const LeafScaleFit fit = fit_leaf_scale(ready);
     std::printf("%s: %zu quads, %zu cells, %zu points, %zu levels, %zu large, %zu lines, area %.1f, %.2f s\n", name,
                 ready.leaves.size(), ready.cells.size(), ready.points.size(), ready.point_levels.size(),
                 std::size_t{ready.large_quads}, ready.leaf_lines.size(), static_cast<double>(ready.leaf_area_m2),
                 seconds);
+    for (const PointLevel& level : ready.point_levels)
+      std::printf("  level of %u points: area by %.2f\n", level.points.size(),
+                  static_cast<double>(2 * level.area / ready.leaf_area_m2));
     for (std::size_t i = 0; i < kLeafScales; ++i) {
       std::printf("  u %.4f s %.3f:", std::exp2(-0.5 * static_cast<double>(i)), static_cast<double>(fit.scale[i]));
       for (const float r : fit.residual[i]) std::printf(" %+.1f", static_cast<double>(100 * r));

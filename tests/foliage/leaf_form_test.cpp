@@ -1,0 +1,106 @@
+// Points or lines: told by the leaf's shape.
+#include "foliage/leaf_form.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "foliage/leaf_cloud.h"
+#include "foliage/random.h"
+
+namespace manzana::foliage {
+namespace {
+
+PlantQuad quad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  PlantQuad out{};
+  out.corners[0].position = a, out.corners[1].position = b, out.corners[2].position = c, out.corners[3].position = d;
+  out.shades.fill(255);
+  return out;
+}
+
+PlantQuad rectangle(float wide, float high) { return quad({0, 0, 0}, {wide, 0, 0}, {wide, 0, high}, {0, 0, high}); }
+
+/// A blade that bends over, of eight quads.
+std::vector<PlantQuad> bent_blade() {
+  std::vector<PlantQuad> quads;
+  const auto at = [](int i, float x) {
+    const float t = static_cast<float>(i) / 8;
+    return Vec3(x * (1 - t), 0.25F * t * t, t * (1 - 0.3F * t));
+  };
+  for (int i = 0; i < 8; ++i) quads.push_back(quad(at(i, -.01F), at(i, .01F), at(i + 1, .01F), at(i + 1, -.01F)));
+  return quads;
+}
+
+/// Fingers from one point, in a half circle.
+std::vector<PlantQuad> hand(int fingers) {
+  std::vector<PlantQuad> quads;
+  for (int i = 0; i < fingers; ++i) {
+    const float angle = 3.14F * static_cast<float>(i) / static_cast<float>(fingers - 1);
+    const Vec3 out(std::cos(angle), 0, std::sin(angle)), across(-out.z * .02F, 0, out.x * .02F);
+    quads.push_back(quad(-across, across, out + across, out - across));
+  }
+  return quads;
+}
+
+}  // namespace
+
+TEST_CASE("blades and needles are thin and cards and hands are not") {
+  const auto thin = [](const std::vector<PlantQuad>& quads, double alpha = 1) {
+    return leaf_form(quads, alpha).thin();
+  };
+  CHECK(thin({rectangle(.01F, .2F)}));
+  CHECK(thin(bent_blade()));
+  CHECK_FALSE(thin({rectangle(.1F, .2F)}));
+  CHECK_FALSE(thin({rectangle(.1F, .2F)}, 0.2));  // a card of needles: many lines are no line
+  CHECK_FALSE(thin(hand(5)));
+  CHECK(thin({rectangle(.05F, .2F)}, 0.3));
+  const LeafForm form = leaf_form(std::vector{rectangle(.01F, .2F)}, 1);
+  CHECK(form.length == Approx(0.2).margin(1e-4));
+  CHECK(form.width == Approx(0.01).margin(1e-4));
+  CHECK(std::abs(form.axis.z) == Approx(1));
+}
+
+TEST_CASE("a leaf of no size is not thin and does not fail") {
+  const LeafForm form = leaf_form(std::vector{quad(Vec3(1), Vec3(1), Vec3(1), Vec3(1))}, 1);
+  CHECK(form.length > 0);
+  CHECK(std::isfinite(form.width));
+}
+
+TEST_CASE("a line is as wide as its leaf looks on average") {
+  const PlantQuad blade = rectangle(.02F, .5F);
+  const LineSegment line = leaf_line(blade, {0, 0, 1}, 0.5);
+  CHECK(glm::distance(line.a, line.b) == Approx(0.5));
+  CHECK(std::abs(line.b.z - line.a.z) == Approx(0.5));
+  // Turned about its axis by any angle: the mean of |cos|.
+  double mean = 0;
+  for (int i = 0; i < 1000; ++i) mean += 0.02 * std::abs(std::cos((i + 0.5) * 3.14159265 / 1000)) / 1000;
+  CHECK(static_cast<double>(2 * line.radius_a) == Approx(0.5 * mean).epsilon(1e-3));
+  CHECK(line.radius_a == line.radius_b);
+}
+
+TEST_CASE("a plant of blades has lines and a plant of cards has none") {
+  for (const float wide : {.01F, .2F}) {
+    Plant plant;
+    Random random(1);
+    for (std::uint32_t i = 0; i < 50; ++i) {
+      const float x = random.spread(2), y = random.spread(2);
+      std::array<MeshVertex, 4> corners{};
+      const float dx[]{0, 1, 1, 0}, dz[]{0, 0, 1, 1};
+      for (std::size_t k = 0; k < 4; ++k) {
+        corners[k].position = {x + dx[k] * wide, y, .4F * dz[k]};
+        corners[k].normal = {0, 1, 0};
+      }
+      add_quad(plant.mesh.leaves, corners);
+      plant.terminals.push_back({{2 * i, 2 * i + 2}, -1, Organ::leaf});
+    }
+    PreparedPlant ready;
+    prepare_leaves(plant, {}, ready);
+    check(ready);
+    CHECK(ready.leaf_lines.size() == (wide < .1F ? 50 : 0));
+    for (std::size_t i = 0; i < ready.leaf_lines.size(); ++i) {
+      const PlantQuad& of = ready.leaves[ready.shuffled[i]];
+      CHECK(std::abs(ready.leaf_lines[i].a.x - of.corners[0].position.x) <= wide);
+    }
+  }
+}
+
+}  // namespace manzana::foliage
