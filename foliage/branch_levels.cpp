@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kKept = 0.5;  // of the triangles, from level to level
 // What the mesh may be off: of the level's error, and of a branch's own width, or the thinnest would lose their form.
-constexpr float kReduction = 0.25F, kOfWidth = 0.15F;
+constexpr float kReduction = 0.25F, kOfWidth = 0.05F;
 
 std::uint32_t size_of(const auto& rows) { return static_cast<std::uint32_t>(rows.size()); }
 
@@ -117,7 +117,9 @@ void prepare_branches(const Plant& plant, const PrepareOptions& options, Prepare
 }
 
 BranchStep branch_step(const PreparedPlant& plant, std::size_t level, float t) {
-  const Run& steps = plant.branch_levels[level].steps;
+  const BranchLevel& pair = plant.branch_levels[level];
+  const Run& steps = pair.steps;
+  if (steps.size() == 0) return {pair.quads.size(), pair.first_line};
   const float part = t > 0 ? std::min(t, 1.0F) : 0;
   return plant.branch_steps[steps.last - 1 - static_cast<std::uint32_t>(part * static_cast<float>(steps.size() - 1))];
 }

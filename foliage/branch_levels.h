@@ -13,7 +13,8 @@ namespace manzana::foliage {
 
 void prepare_branches(const Plant& plant, const PrepareOptions& options, PreparedPlant& ready);
 
-/// t in [0, 1]: 0 is the level, 1 the next one, or lines alone after the last. Clamped; NaN is 0.
+/// t in [0, 1]: 0 is the level, 1 the next one, or lines alone after the last. Clamped; NaN is 0. A level without steps
+/// is always itself.
 BranchStep branch_step(const PreparedPlant& plant, std::size_t level, float t);
 
 }  // namespace manzana::foliage

@@ -58,7 +58,8 @@ void check_branches(const PreparedPlant& plant) {
     const BranchLevel& level = plant.branch_levels[i];
     check_run("branch level", i, level.quads, plant.bark.size());
     if (level.first_line > plant.lines.size()) fail("branch level", i, "begins beyond the lines");
-    if (!sane(level.error_m)) fail("branch level", i, "is not finite or out of range");
+    if (!sane(level.error_m) || !sane(level.mesh_error_m)) fail("branch level", i, "is not finite or out of range");
+    check_run("branch level", i, level.steps, plant.branch_steps.size());
   }
   for (std::size_t i = 0; i < plant.branch_steps.size(); ++i) {
     const BranchStep& step = plant.branch_steps[i];

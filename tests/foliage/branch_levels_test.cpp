@@ -7,8 +7,10 @@
 #include <set>
 
 #include "foliage/generate.h"
+#include "foliage/import/gltf_plant.h"
 #include "foliage/import/species.h"
 #include "ortho_mask.h"
+#include "tests/support/data.h"
 #include "tiny_plants.h"
 
 namespace manzana::foliage {
@@ -40,12 +42,12 @@ std::set<std::uint32_t> rows_of_lines(const PreparedPlant& ready, std::uint32_t 
 
 /// Square metres, mean over views from all sides: a single tube of three sides is wide from one and narrow from
 /// another.
-double hidden(const PreparedPlant& ready, std::size_t level, float t) {
+double hidden(const PreparedPlant& ready, std::size_t level, float t, float height) {
   double sum = 0;
   for (int view = 0; view < 8; ++view) {
     const float angle = 0.3F + 0.785F * static_cast<float>(view), rise = 0.2F * static_cast<float>(view % 3);
-    OrthoMask mask({std::cos(angle) * std::cos(rise), std::sin(angle) * std::cos(rise), std::sin(rise)}, {0, 0, 4}, 12,
-                   800);
+    OrthoMask mask({std::cos(angle) * std::cos(rise), std::sin(angle) * std::cos(rise), std::sin(rise)},
+                   {0, 0, 0.5F * height}, 1.6F * height, 800);
     const BranchStep step = branch_step(ready, level, t);
     for (std::uint32_t i = 0; i < step.quads; ++i) mask.quad(ready.bark[ready.branch_levels[level].quads.first + i]);
     for (std::size_t i = step.first_line; i < ready.lines.size(); ++i) mask.line(ready.lines[i]);
@@ -130,12 +132,30 @@ TEST_CASE("all levels and the steps between them hide what the whole mesh hides"
   constexpr double kMostOff = 0.035;  // eight views of few thick tubes are no mean of all views; leaves hide most of it
   for (const char* species : {"broadleaf", "conifer", "shrub"}) {
     const PreparedPlant ready = prepared(grow_plant(builtin_species(species), 5));
-    const double all = hidden(ready, 0, 0);
+    const double all = hidden(ready, 0, 0, 8);
     for (std::size_t l = 0; l < ready.branch_levels.size(); ++l)
       for (const float t : {0.0F, 0.3F, 0.7F, 1.0F}) {
         INFO(species << " level " << l << " t " << t);
-        CHECK(hidden(ready, l, t) == Approx(all).epsilon(kMostOff));
+        CHECK(hidden(ready, l, t, 8) == Approx(all).epsilon(kMostOff));
       }
+  }
+}
+
+TEST_CASE("real trees: every level hides what the whole mesh hides") {
+  constexpr double kMostOff = 0.01;  // measured 0.004
+  for (const char* tree : {"ash_medium", "aspen_medium_modelled", "oak_dense", "oak_medium", "pine_medium"}) {
+    const auto file = data_file(std::string("trees/") + tree + ".glb");
+    if (!file) return;
+    const Plant plant = read_plant(*file);
+    const PreparedPlant ready = prepared(plant);
+    const float height = measure(plant.mesh).height;
+    REQUIRE(ready.branch_levels.size() >= 4);
+    const double all = hidden(ready, 0, 0, height);
+    for (std::size_t l = 1; l < ready.branch_levels.size(); ++l) {
+      INFO(tree << " level " << l);
+      CHECK(hidden(ready, l, 0, height) == Approx(all).epsilon(kMostOff));
+      CHECK(hidden(ready, l, 0.5F, height) == Approx(all).epsilon(kMostOff));
+    }
   }
 }
 
