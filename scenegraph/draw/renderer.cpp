@@ -154,6 +154,7 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const cu
   }
   count_cars(sets.cars, view.eye, f_px * s.quality.car_detail, s.cars.selection);
 
+  FrameCounts counts;
   s.stream.begin(s.bytes_of_frame(sets));
   gl::bind(s.target);
   set_depth_and_colour(view);
@@ -161,9 +162,10 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const cu
   s.upload_frame(sets, frame);
   if (options.layers.trees) {
     const double error_px = options.tree_error_px / s.quality.tree_detail;
-    extract_trees(s.trees, scene.trees, sets.objects(), {options.tree_law, error_px / f_px}, s.stream);
+    const TreeDetail detail{options.tree_law, error_px / f_px, options.tree_vertices};
+    extract_trees(s.trees, scene.trees, sets.objects(), s.rows, detail, s.stream);
+    counts.tree_error_px = s.trees.error_at_1m * f_px;
   }
-  FrameCounts counts;
   s.draw_layers(scene, sets, view, options.layers, counts);
   if (options.frozen != nullptr) draw_lines(s.volumes, volume_lines(scene.tree, *options.frozen, view.eye));
   gl::resolve(s.target);

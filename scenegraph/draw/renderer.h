@@ -36,6 +36,7 @@ struct DrawOptions {
   Layers layers;
   Vec3d sun{0.45, -0.55, 0.70};  ///< towards the sun, in L; need not be of unit length
   double tree_error_px = 1;      ///< what is smaller may be wrong
+  double tree_vertices = 0;      ///< at most so many in all trees: the error grows until they suffice; 0: no limit
   foliage::Law tree_law = foliage::Law::ours;
   double fog_distance_m = 4000;  ///< where half of the light is the air's
   /// Debug view: volumes of the tree for this frustum, drawn as lines over what is drawn for the view. nullptr: none.
@@ -46,6 +47,7 @@ struct FrameCounts {
   std::uint64_t triangles = 0;  ///< submitted; without trees, which the GPU chooses
   std::uint64_t buildings = 0, surfaces = 0, trees = 0, cars = 0;
   std::uint64_t commands = 0;  ///< of multi-draws
+  double tree_error_px = 0;    ///< that was tolerated in trees, after the budget
 };
 
 struct Size {

@@ -41,16 +41,31 @@ foliage::HostShaders host_shaders() {
           .points = {frame_layout_glsl, frame_glsl, light_glsl, tree_point_frag}};
 }
 
-/// Runs of rows that follow each other become one. Returns how many there are, and in how many trees.
-foliage::TreesInView write_runs(const TreeLayer& trees, std::span<const culling::ObjectRun> objects, glm::uvec2* out) {
-  foliage::TreesInView view;
-  std::uint32_t end = ~0U;
+void set_law(TreeLayerGpu& layer, foliage::Law law) {
+  set_details(layer.store, make_details(layer.plants, law));
+  layer.costs = make_costs(layer.store.table);
+  layer.law = law;
+}
+
+/// Rows of the layer, in order; those that follow each other become one run.
+void find_runs(const TreeLayer& trees, std::span<const culling::ObjectRun> objects, std::vector<foliage::Run>& runs) {
+  runs.clear();
   for (const culling::ObjectRun& run : objects) {
     const auto [first, last] = trees.table.rows(run);
     if (first == last) continue;
-    if (first != end) out[view.runs++] = {first, view.trees};
-    view.trees += last - first;
-    end = last;
+    if (!runs.empty() && runs.back().last == first)
+      runs.back().last = last;
+    else
+      runs.push_back({first, last});
+  }
+}
+
+foliage::TreesInView write_runs(std::span<const foliage::Run> runs, gl::StreamBuffer& stream) {
+  const auto out = stream.take<glm::uvec2>(runs.size());
+  foliage::TreesInView view{.buffer = stream.name(), .offset = out.offset};
+  for (const foliage::Run& run : runs) {
+    out.items[view.runs++] = {run.first, view.trees};
+    view.trees += run.size();
   }
   return view;
 }
@@ -60,11 +75,12 @@ foliage::TreesInView write_runs(const TreeLayer& trees, std::span<const culling:
 TreeLayerGpu::TreeLayerGpu(const TreeLayer& trees, std::span<const foliage::PreparedPlant> prepared)
     : plants(without_pictures(prepared)),
       store(prepared),
-      extractor(sites_of(trees, prepared), {}),
+      sites(sites_of(trees, prepared)),
+      extractor(sites, {}),
       programs(host_shaders()),
-      shadows(make_shadow("shadow_tree", shaders::shadow_tree_vert)),
-      law(foliage::Law::ours) {
-  set_details(store, make_details(plants, law));
+      shadows(make_shadow("shadow_tree", shaders::shadow_tree_vert)) {
+  set_law(*this, foliage::Law::ours);
+  runs.reserve(sites.size());
 }
 
 std::size_t stream_bytes(const TreeLayerGpu&, std::size_t runs) {
@@ -72,14 +88,14 @@ std::size_t stream_bytes(const TreeLayerGpu&, std::size_t runs) {
 }
 
 void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const culling::ObjectRun> objects,
-                   const TreeDetail& detail, gl::StreamBuffer& stream) {
-  if (layer.law != detail.law) set_details(layer.store, make_details(layer.plants, detail.law));
-  layer.law = detail.law;
-  const auto runs = stream.take<glm::uvec2>(objects.size());
-  foliage::TreesInView view = write_runs(trees, objects, runs.items);
-  view.buffer = stream.name();
-  view.offset = runs.offset;
-  view.error_at_1m = detail.error_at_1m;
+                   std::span<const Rows> blocks, const TreeDetail& detail, gl::StreamBuffer& stream) {
+  if (layer.law != detail.law) set_law(layer, detail.law);
+  find_runs(trees, objects, layer.runs);
+  const std::span<const Vec4> rows(blocks.empty() ? nullptr : blocks.front().data(), blocks.size() * 3);
+  const foliage::TreesSeen seen{layer.sites, rows, layer.runs, detail.error_at_1m};
+  layer.error_at_1m = error_for(layer.costs, layer.store.table, seen, {.vertices = detail.vertices});
+  foliage::TreesInView view = write_runs(layer.runs, stream);
+  view.error_at_1m = layer.error_at_1m;
   layer.trees_in_view = view.trees;
   if (view.trees > 0) extract(layer.extractor, layer.store, view);
 }

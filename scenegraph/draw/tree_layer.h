@@ -1,5 +1,6 @@
 #pragma once
 /// Trees on the GPU: what the culling sees goes to foliage/gl as runs of sites, and comes back as three draws.
+#include "foliage/budget.h"
 #include "foliage/detail.h"
 #include "foliage/gl/draw_plants.h"
 #include "scenegraph/draw/instances.h"
@@ -13,23 +14,28 @@ struct TreeLayerGpu {
 
   std::vector<foliage::PreparedPlant> plants;  ///< without pictures: what tables are made from
   foliage::PlantStore store;
+  std::vector<foliage::TreeSite> sites;
   foliage::Extractor extractor;
   foliage::PlantPrograms programs;
   gl::Program shadows;
   foliage::Law law;                 ///< of the store's table
+  foliage::CostTable costs;         ///< of the same
+  std::vector<foliage::Run> runs;   ///< of the frame at hand
+  double error_at_1m = 0;           ///< of the last extraction, after the budget
   std::uint32_t trees_in_view = 0;  ///< of the last extraction
 };
 
 struct TreeDetail {
   foliage::Law law = foliage::Law::ours;
   double error_at_1m = 0.001;  ///< error in pixels / focal length in pixels
+  double vertices = 0;         ///< a budget that may raise it; 0: none
 };
 
 std::size_t stream_bytes(const TreeLayerGpu& layer, std::size_t runs);
 
-/// Once a frame, with the blocks' rows bound. `objects`: runs of the tree's.
+/// Once a frame, with the blocks' rows, relative to the eye, bound. `objects`: runs of the tree's.
 void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const culling::ObjectRun> objects,
-                   const TreeDetail& detail, gl::StreamBuffer& stream);
+                   std::span<const Rows> blocks, const TreeDetail& detail, gl::StreamBuffer& stream);
 Drawn draw_trees(const TreeLayerGpu& layer, const foliage::DrawPlantsOptions& options);
 /// Soft dark ground under the trees, over the surfaces.
 Drawn draw_tree_shadows(const TreeLayerGpu& layer);
