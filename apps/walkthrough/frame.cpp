@@ -4,6 +4,8 @@
 
 #include <chrono>
 
+#include "apps/walkthrough/options.h"
+
 namespace manzana::walkthrough {
 namespace {
 
@@ -42,6 +44,13 @@ void Stage::resize(draw::Size new_size) {
   renderer.resize(size);
 }
 
+void apply(const Options& options, Stage& stage) {
+  stage.structure = options.structure;
+  stage.options.tree_error_px = options.tree_error_px;
+  stage.options.tree_vertices = options.tree_vertices;
+  stage.options.tree_law = options.tree_law;
+}
+
 FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {
   const culling::View& seen_by = stage.options.frozen != nullptr ? *stage.options.frozen : view;
   FrameRow row;
@@ -61,6 +70,7 @@ FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {
   const foliage::Shown trees = stage.renderer.trees_shown();
   row.triangles = counts.triangles + 2 * (trees.bark + trees.leaves + trees.lines);
   row.points = trees.points;
+  row.tree_error_px = counts.tree_error_px;
   return row;
 }
 

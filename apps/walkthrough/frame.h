@@ -26,6 +26,10 @@ struct Stage {
   bool wait = true;           ///< for the device at the end, so that draw_ms says all
 };
 
+struct Options;
+/// What the command line says of structure and trees.
+void apply(const Options& options, Stage& stage);
+
 /// The cars are where they are `seconds` after the start of the scene.
 FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds);
 

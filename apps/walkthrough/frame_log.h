@@ -14,6 +14,7 @@ struct FrameRow {
   double cull_us = 0, update_us = 0, draw_ms = 0;
   std::uint64_t blocks_visible = 0, buildings_visible = 0, trees_visible = 0, cars_visible = 0, triangles = 0,
                 points = 0;
+  double tree_error_px = 0;  ///< tolerated in trees; more than asked for where the budget binds
   double frame_ms() const { return cull_us / 1000 + update_us / 1000 + draw_ms; }
 };
 

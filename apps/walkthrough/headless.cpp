@@ -58,7 +58,7 @@ void run_headless(const Options& options, const Imported& city, std::span<const 
   const std::string renderer = gl::renderer_name();
   const auto quality = options.quality.empty() ? draw::quality_for(renderer) : draw::quality_named(options.quality);
   Stage stage(city.scene, plants, quality, options.size);
-  stage.structure = options.structure;
+  apply(options, stage);
   const std::vector<FrameRow> rows = draw_path(options, stage, path);
   const std::string by_name = gl::software_renderer() ? "low" : "high";
   const RunFacts facts{renderer, options.quality.empty() ? by_name : options.quality, path.name, largest_memory_mb()};

@@ -1,11 +1,13 @@
 #include "apps/walkthrough/load.h"
 
+#include <tbb/parallel_for.h>
+
 #include <array>
 #include <cstdio>
 
 #include "apps/common/progress_bar.h"
 #include "foliage/generate.h"
-#include "foliage/import/gltf_plant.h"
+#include "foliage/import/load_plant.h"
 #include "foliage/import/species.h"
 #include "foliage/prepare.h"
 
@@ -28,6 +30,12 @@ std::string printable(std::string text) {
   return text;
 }
 
+/// Kept prepared from one start to the next.
+foliage::PreparedPlant load_file(const std::filesystem::path& file) {
+  const auto tell = [](const std::string& line) { std::fprintf(stderr, "%s\n", printable(line).c_str()); };
+  return foliage::load_or_prepare({file}, foliage::default_cache_folder(), {}, tell);
+}
+
 }  // namespace
 
 Imported load_city(const Options& options) {
@@ -37,13 +45,13 @@ Imported load_city(const Options& options) {
 }
 
 std::vector<foliage::PreparedPlant> load_plants(const Options& options) {
-  std::vector<foliage::PreparedPlant> plants;
-  for (std::size_t kind = 0; kind < kSpecies.size(); ++kind) {
+  std::vector<foliage::PreparedPlant> plants(kSpecies.size());
+  tbb::parallel_for(std::size_t{0}, kSpecies.size(), [&](std::size_t kind) {
     const auto* file = file_for(options, static_cast<PlantKind>(kind));
-    plants.push_back(foliage::prepare(
-        file != nullptr ? foliage::read_plant(*file)
-                        : foliage::grow_plant(foliage::builtin_species(kSpecies[kind]), options.seed)));
-  }
+    plants[kind] = file != nullptr
+                       ? load_file(*file)
+                       : foliage::prepare(foliage::grow_plant(foliage::builtin_species(kSpecies[kind]), options.seed));
+  });
   return plants;
 }
 

@@ -43,7 +43,7 @@ std::optional<PlantFile> parse_plant(const std::string& text) {
 
 /// CLI11 sees strings; what they must look like is checked here, so that its messages name the option.
 struct Texts {
-  std::string size = "1280x720", structure = "bqr";
+  std::string size = "1280x720", structure = "bqr", tree_law = "ours";
   std::vector<std::string> plants;
 };
 
@@ -75,6 +75,15 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
       ->capture_default_str();
   app.add_option("--cars", options.cars, "how many; without it the length of the streets decides")
       ->check(CLI::Range(0, 1000000));
+  app.add_option("--tree-error", options.tree_error_px, "pixels that may be wrong in trees")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->capture_default_str();
+  app.add_option("--tree-vertices", options.tree_vertices, "budget of a frame that may raise the error; 0: none")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str();
+  app.add_option("--tree-law", texts.tree_law, "how trees lose detail: ours, gumbau, or full for all of it")
+      ->check(CLI::IsMember({"ours", "gumbau", "full"}))
+      ->capture_default_str();
   app.add_option("--plant", texts.plants, "KIND=FILE.glb: model for broadleaf, conifer or shrub")
       ->check([](const std::string& text) { return std::string(parse_plant(text) ? "" : "is no KIND=FILE: " + text); },
               "");
@@ -83,6 +92,7 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
 Options finish(Options options, const Texts& texts) {
   options.size = *parse_size(texts.size);
   options.structure = texts.structure == "none" ? Structure::none : Structure::bqr;
+  options.tree_law = foliage::law_named(texts.tree_law);
   for (const std::string& plant : texts.plants) options.plants.push_back(*parse_plant(plant));
   return options;
 }

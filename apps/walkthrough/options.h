@@ -31,6 +31,8 @@ struct Options {
   std::uint64_t seed = 1;
   int cars = -1;  ///< -1: by the length of the streets
   std::vector<PlantFile> plants;
+  double tree_error_px = 1, tree_vertices = 0;
+  foliage::Law tree_law = foliage::Law::ours;
 };
 
 using Parsed = apps::Parsed<Options>;

@@ -59,6 +59,16 @@ void draw_times(const PanelState& panel, const Stage& stage) {
   ImGui::Text("cars      %8llu of %u", static_cast<unsigned long long>(s.cars_visible), stage.scene.traffic.cars());
   ImGui::Text("triangles %8llu", static_cast<unsigned long long>(s.triangles));
   ImGui::Text("points    %8llu", static_cast<unsigned long long>(s.points));
+  ImGui::Text("error in trees %7.2f px", s.tree_error_px);
+}
+
+void draw_tree_detail(draw::DrawOptions& options) {
+  auto error = static_cast<float>(options.tree_error_px), thousands = static_cast<float>(options.tree_vertices / 1000);
+  if (ImGui::SliderFloat("tree error", &error, 0.1F, 32, "%.2f px", ImGuiSliderFlags_Logarithmic))
+    options.tree_error_px = static_cast<double>(error);
+  if (ImGui::SliderFloat("tree budget", &thousands, 0, 10000, thousands > 0 ? "%.0f k vertices" : "none",
+                         ImGuiSliderFlags_Logarithmic))
+    options.tree_vertices = std::floor(static_cast<double>(thousands)) * 1000;
 }
 
 void draw_layers(draw::Layers& layers) {
@@ -112,6 +122,7 @@ void draw_panel(PanelState& panel, Stage& stage, const Camera& camera) {
     if (ImGui::Checkbox("BqR-Tree", &tree)) stage.structure = tree ? Structure::bqr : Structure::none;
     ImGui::SameLine(130);
     ImGui::Checkbox("wait for the screen", &panel.vsync);
+    draw_tree_detail(stage.options);
     draw_light(panel, stage.options);
     ImGui::Text("at %.0f, %.0f, %.1f m up; flying %.0f m/s", camera.eye.x, camera.eye.y, camera.eye.z,
                 camera.fly_speed);
