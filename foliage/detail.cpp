@@ -10,8 +10,7 @@ namespace {
 
 /// What the laws ask of a plant.
 struct Measures {
-  double quad = 0;        ///< side of a mean leaf quad, metres
-  double point_area = 0;  ///< of all points, m2
+  double quad = 0;  ///< side of a mean leaf quad, metres
 };
 
 double quad_area(const PlantQuad& quad) {
@@ -26,7 +25,6 @@ Measures measure(const PreparedPlant& plant) {
   Measures m;
   for (const PlantQuad& quad : plant.leaves) m.quad += quad_area(quad);
   if (!plant.leaves.empty()) m.quad = std::sqrt(m.quad / static_cast<double>(plant.leaves.size()));
-  if (!plant.point_levels.empty()) m.point_area = static_cast<double>(plant.point_levels.front().area);
   return m;
 }
 
@@ -55,18 +53,30 @@ void set_leaves(Detail& d, double share, double scale) {
   d.fade = static_cast<float>(fade);
 }
 
-/// [Deussen 2005, equation 10.5] as many points as cover the leaves' area once, each as large as their spacing d'.
-void set_points(Detail& d, const PreparedPlant& plant, double area, double spacing) {
-  if (plant.point_levels.empty()) return;
-  const auto size = [&](std::size_t level) { return static_cast<double>(plant.point_levels[level].points.size()); };
-  const double p = std::clamp(area / (spacing * spacing), 0.0, size(0));
+/// m2 that points must show to cover what the leaves do, where p of them are: between levels by log p.
+double area_at(const std::vector<PointLevel>& levels, double p) {
+  std::size_t i = 0;
+  while (i + 1 < levels.size() && p <= static_cast<double>(levels[i + 1].points.size())) ++i;
+  const auto area = [&](std::size_t level) { return static_cast<double>(levels[level].area); };
+  if (i + 1 == levels.size()) return area(i);
+  const double n = levels[i].points.size(), m = levels[i + 1].points.size();
+  return std::lerp(area(i), area(i + 1), std::clamp(std::log(n / p) / std::log(n / m), 0.0, 1.0));
+}
+
+/// [Deussen 2005, equation 10.5] as many points as cover the leaves' area, each as large as their spacing d'.
+void set_points(Detail& d, const PreparedPlant& plant, double spacing) {
+  const std::vector<PointLevel>& levels = plant.point_levels;
+  if (levels.empty()) return;
+  const auto size = [&](std::size_t level) { return static_cast<double>(levels[level].points.size()); };
+  double p = size(0);
+  for (int round = 0; round < 8; ++round) p = std::clamp(area_at(levels, p) / (spacing * spacing), 1e-3, size(0));
   std::size_t level = 0;
-  while (level + 1 < plant.point_levels.size() && p <= size(level + 1)) ++level;
-  const bool last = level + 1 == plant.point_levels.size();
+  while (level + 1 < levels.size() && p <= size(level + 1)) ++level;
+  const bool last = level + 1 == levels.size();
   const double x = last ? 0 : std::clamp((size(level) - p) / (size(level) - size(level + 1)), 0.0, 1.0);
   d.points = static_cast<float>(p);
   d.point_level = static_cast<float>(static_cast<double>(level) + x);
-  d.point_gain = p > 0 ? static_cast<float>(1 / p) : 0.0F;
+  d.point_gain = static_cast<float>(1 / p);
 }
 
 /// Metres, of the branches that are lines at a level; beyond the last level all are.
@@ -102,12 +112,12 @@ void show_all(Detail& d, const PreparedPlant& plant) {
 }
 
 // Leaf quads of at least this many times the error; points from there to the other.
-constexpr double kQuadSize = 1.5, kPointSize = 0.75;
+constexpr double kQuadSize = 4, kPointSize = 2;
 
 void show_ours(Detail& d, const PreparedPlant& plant, const Measures& m, double error_m) {
-  const double scale = std::max(1.0, kPointSize * error_m / m.quad);
+  const double scale = std::max(1.0, 0.75 * error_m / m.quad);
   set_leaves(d, share_for_scale(plant.leaf_scale, scale), scale);
-  set_points(d, plant, m.point_area, error_m);
+  set_points(d, plant, error_m);
   if (!plant.point_levels.empty() && m.quad > 0)
     d.to_points = static_cast<float>(std::clamp((kQuadSize - m.quad / error_m) / (kQuadSize - kPointSize), 0.0, 1.0));
   set_branches(d, plant, error_m);

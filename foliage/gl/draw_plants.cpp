@@ -5,13 +5,13 @@
 namespace manzana::foliage {
 namespace {
 
-gl::Program make_program(std::string_view name, const HostShaders& host, std::string_view main,
+gl::Program make_program(std::string_view name, const HostShaders& host, std::string_view main, std::string_view cover,
                          const gl::Pieces& fragment) {
   using namespace shaders;
   gl::Pieces vertex{version_glsl, select_layout_glsl, extract_glsl, hash_glsl};
   vertex.insert(vertex.end(), host.vertex.begin(), host.vertex.end());
   vertex.insert(vertex.end(), {plant_glsl, main});
-  gl::Pieces pixels{version_glsl};
+  gl::Pieces pixels{version_glsl, cover};
   pixels.insert(pixels.end(), fragment.begin(), fragment.end());
   return gl::make_program(name, vertex, pixels);
 }
@@ -46,9 +46,9 @@ void use(const gl::Program& program, const gl::Buffer& primitives, float focal_p
 }  // namespace
 
 PlantPrograms::PlantPrograms(const HostShaders& host)
-    : quads(make_program("plant_quads", host, shaders::plant_quads_vert, host.quads)),
-      lines(make_program("plant_lines", host, shaders::plant_lines_vert, host.lines)),
-      points(make_program("plant_points", host, shaders::plant_points_vert, host.points)),
+    : quads(make_program("plant_quads", host, shaders::plant_quads_vert, shaders::cover_glsl, host.quads)),
+      lines(make_program("plant_lines", host, shaders::plant_lines_vert, shaders::cover_glsl, host.lines)),
+      points(make_program("plant_points", host, shaders::plant_points_vert, "", host.points)),
       indices(make_quad_indices(glsl::kQuadsOfDraw)) {
   array = make_array(indices);
 }
@@ -59,14 +59,12 @@ void draw_plants(const PlantPrograms& programs, const PlantStore& store, const E
   glBindVertexArray(programs.array.name());
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, extractor.commands.name());
   glBindTextureUnit(0, store.images.name());
-  if (options.alpha_to_coverage) glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
   use(programs.quads, store.quads, options.focal_px);
-  glUniform1f(1, options.alpha_to_coverage ? 1.0F : 0.0F);
+  glUniform1ui(1, static_cast<GLuint>(options.samples));
   draw_quads(at.quads, extractor.capacity.quad_draws);
   use(programs.lines, store.lines, options.focal_px);
-  glUniform1f(1, options.alpha_to_coverage ? 1.0F : 0.0F);
+  glUniform1ui(1, static_cast<GLuint>(options.samples));
   draw_quads(at.lines, extractor.capacity.line_draws);
-  glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
   glEnable(GL_PROGRAM_POINT_SIZE);
   use(programs.points, store.points, options.focal_px);
   glDrawArraysIndirect(GL_POINTS, reinterpret_cast<const void*>(at.points));

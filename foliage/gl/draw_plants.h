@@ -11,9 +11,9 @@ namespace manzana::foliage {
 
 /// Without "#version".
 struct HostShaders {
-  gl::Pieces vertex;  ///< clip_position, plant_light, plant_albedo
-  gl::Pieces quads, lines,
-      points;  ///< fragment shaders, for the outputs of plant_*.vert
+  gl::Pieces vertex;                ///< clip_position, plant_light, plant_albedo
+  gl::Pieces quads, lines, points;  ///< fragment shaders for what plant_*.vert put out; the first two may call cover()
+                                    ///< of foliage/shaders/cover.glsl, which stands before them
 };
 
 struct PlantPrograms {
@@ -24,8 +24,8 @@ struct PlantPrograms {
 };
 
 struct DrawPlantsOptions {
-  float focal_px = 1000;           ///< as DetailOptions::focal_px
-  bool alpha_to_coverage = false;  ///< with multisampling
+  float focal_px = 1000;  ///< pixels of a metre at a distance of a metre
+  int samples = 1;        ///< of the framebuffer
 };
 
 /// After extract(), with its bindings in place.

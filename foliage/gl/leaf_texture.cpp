@@ -6,7 +6,8 @@
 namespace manzana::foliage {
 namespace {
 
-constexpr int kPasses = 128;  // alpha of one half
+constexpr int kBlurredSize = 8;  // from level 5 on, foliage/shaders/cover.glsl takes alpha as it is
+constexpr int kPasses = 128;     // alpha of one half
 
 double linear(std::uint8_t srgb) {
   const double s = srgb / 255.0;
@@ -61,6 +62,15 @@ void keep_coverage(Image& image, double coverage) {
   }
 }
 
+/// Its mean alpha becomes the coverage, unless a texel would have more than all.
+void keep_mean(Image& image, double coverage) {
+  double sum = 0;
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) sum += image.rgba[i];
+  const double factor = sum > 0 ? coverage * 255 * static_cast<double>(image.rgba.size() / 4) / sum : 0;
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+    image.rgba[i] = static_cast<std::uint8_t>(std::lround(std::min(255.0, image.rgba[i] * factor)));
+}
+
 }  // namespace
 
 double alpha_coverage(const Image& image) {
@@ -77,7 +87,10 @@ std::vector<Image> coverage_mipmaps(const Image& image) {
   while (plain.size > 1) {
     plain = halved(plain);
     levels.push_back(plain);
-    keep_coverage(levels.back(), coverage);
+    if (plain.size > kBlurredSize)
+      keep_coverage(levels.back(), coverage);
+    else
+      keep_mean(levels.back(), coverage);
   }
   return levels;
 }

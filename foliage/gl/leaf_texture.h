@@ -1,6 +1,7 @@
 #pragma once
 /// Plant images as mip levels whose leaves stay as dense as they were. Plain averaging of alpha makes a far crown thin
-/// out under the alpha test; so each level's alpha is scaled until as many texels pass as in the finest.
+/// out under the alpha test; so each level's alpha is scaled until as many texels pass as in the finest. The smallest
+/// levels, seen where leaves are smaller than pixels, are not tested: their mean alpha is that share.
 /// [Castano 2010, "Computing Alpha Mipmaps"]
 #include <vector>
 

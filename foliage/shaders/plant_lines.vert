@@ -35,6 +35,6 @@ void main() {
   plant_light(rel, normalize(towards + across * side), uintBitsToFloat(line.rest.x), 0.0, tint_of(tree), light, out_air);
   vec3 bark = textureLod(plants_images, vec3(0.5, 0.5, float(2u * tree.plant)), 8.0).rgb;
   out_light = vec4(light * plant_albedo(bark), width / drawn);
-  out_hash = tree.hash + item.first + rank;
+  out_hash = mixed(tree.hash + item.first + rank);
   gl_Position = clip_position(rel + side * (across * drawn));
 }

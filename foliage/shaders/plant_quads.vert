@@ -5,9 +5,10 @@ struct PlantQuad {
 };
 layout(std430, binding = 17) readonly buffer Quads { PlantQuad quads[]; };
 
-layout(location = 0) out vec3 out_uv;
+layout(location = 0) centroid out vec3 out_uv;
 layout(location = 1) out vec3 out_light;
 layout(location = 2) out vec3 out_air;
+layout(location = 3) flat out uint out_hash;
 
 void main() {
   uint slot = uint(gl_VertexID) >> 2u, corner = uint(gl_VertexID) & 3u;
@@ -15,6 +16,7 @@ void main() {
   Item item = items[group.x];
   uint rank = group.y + slot % kQuadGroup;
   out_uv = out_light = out_air = vec3(0.0);
+  out_hash = 0u;
   gl_Position = kNowhere;
   if (rank >= item.count) return;
   uint index = item.first + rank;
@@ -31,5 +33,6 @@ void main() {
   float shade = float((anchor_shades.w >> (8u * corner)) & 255u) * (1.0 / 255.0);
   out_uv = vec3(vec2(bits.w & 0xffffu, bits.w >> 16u) * (8.0 / 65535.0), float(2u * tree.plant) + leaf);
   plant_light(rel, turn_normal(tree, quads[index].normals[corner]), shade, leaf, tint_of(tree), out_light, out_air);
+  out_hash = mixed(tree.hash + index);
   gl_Position = clip_position(rel);
 }

@@ -116,7 +116,7 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
   glDisable(GL_CULL_FACE);
   if (layers.trees) {
     counts.trees = count(scene.trees.table, sets.objects());
-    add(counts, draw_trees(trees, {static_cast<float>(focal_px(target, view)), target.samples > 1}));
+    add(counts, draw_trees(trees, {static_cast<float>(focal_px(target, view)), target.samples}));
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, stream.name());
   }
   if (layers.surfaces) {

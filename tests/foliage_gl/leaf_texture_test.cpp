@@ -37,6 +37,16 @@ TEST_CASE("mip levels stay as dense as the image") {
   }
 }
 
+TEST_CASE("the smallest levels have the image's coverage as their mean alpha") {
+  const Image image = dots();
+  for (const Image& level : coverage_mipmaps(image)) {
+    if (level.size > 8) continue;
+    double sum = 0;
+    for (std::size_t i = 3; i < level.rgba.size(); i += 4) sum += level.rgba[i];
+    CHECK(sum / (255.0 * level.size * level.size) == Approx(alpha_coverage(image)).margin(0.003));
+  }
+}
+
 TEST_CASE("an image of nothing is white, an opaque one stays opaque") {
   CHECK(coverage_mipmaps({}).size() == 1);
   CHECK(resized({}, 8).rgba == std::vector<std::uint8_t>(256, 255));
