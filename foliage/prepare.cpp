@@ -1,6 +1,7 @@
 #include "foliage/prepare.h"
 
 #include "foliage/branch_levels.h"
+#include "foliage/cell_visibility.h"
 #include "foliage/leaf_cloud.h"
 
 namespace manzana::foliage {
@@ -21,6 +22,8 @@ PreparedPlant prepare(const Plant& plant, const PrepareOptions& options) {
   prepare_branches(plant, options, ready);
   tell(0.2);
   prepare_leaves(plant, options, ready);
+  tell(0.6);
+  if (options.visibility_side > 0 && !ready.cells.empty()) bake_visibility(ready, {.side = options.visibility_side});
   tell(1);
   return ready;
 }

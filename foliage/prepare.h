@@ -1,6 +1,5 @@
 #pragma once
-/// From a plant to what is drawn of it at every distance. The parts: branch_levels.h, leaf_cloud.h; visibility is baked
-/// by foliage/gl, which has the means.
+/// From a plant to what is drawn of it at every distance. The parts: branch_levels.h, leaf_cloud.h, cell_visibility.h.
 #include <functional>
 
 #include "foliage/prepared_plant.h"
@@ -18,6 +17,7 @@ struct PrepareOptions {
   std::uint32_t quads_per_cell = 256;  ///< cells are split until they have no more
   std::uint32_t branch_levels = 6;     ///< meshes of branches, of all of them first; each next has half the triangles
   BranchOrder branch_order = BranchOrder::width;
+  std::uint32_t visibility_side = 9;  ///< directions along each side of their grid; 0: visibility is not baked
   std::uint64_t seed = 1;
   std::function<void(double)> progress{};  ///< called with [0, 1] now and then; may be empty
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <sstream>
 #include <stdexcept>
 
 #include "files/whole_file.h"
@@ -83,11 +84,13 @@ class Shelf {
  public:
   Shelf(fs::path folder, const PlantSource& source, const PrepareOptions& options)
       : folder_(std::move(folder)), source_(source) {
-    description_ = "format " + std::to_string(kPlantFormat) + " cells " + std::to_string(options.quads_per_cell) +
-                   " levels " + std::to_string(options.branch_levels) + " by " +
-                   std::to_string(static_cast<int>(options.branch_order)) + " seed " + std::to_string(options.seed) +
-                   " of " + std::to_string(source.seed) + " " + source.system + " name " + source.file.stem().string() +
-                   " content " + checksum(content_of(source.file));
+    const auto& [quads_per_cell, branch_levels, branch_order, visibility_side, seed, progress] = options;
+    std::ostringstream text;
+    text << "format " << kPlantFormat << " cells " << quads_per_cell << " levels " << branch_levels << " order "
+         << static_cast<int>(branch_order) << " side " << visibility_side << " seed " << seed << " of " << source.seed
+         << ' ' << source.system << " name " << source.file.stem().string() << " content "
+         << checksum(content_of(source.file));
+    description_ = text.str();
   }
 
   std::optional<PreparedPlant> look(const TellLine& tell) const {

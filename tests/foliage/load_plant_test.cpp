@@ -85,9 +85,13 @@ TEST_CASE("plants are kept prepared, by content and options") {
   other.seed = 9;
   load("a", other);
   CHECK(plants_in(cache).size() == 3);
+  other = {};
+  other.branch_order = BranchOrder::length;
+  load("a", other);
+  CHECK(plants_in(cache).size() == 4);
   manzana::files::write_whole(file, std::string(kTwo) + " ");
   load("a");
-  CHECK(plants_in(cache).size() == 4);
+  CHECK(plants_in(cache).size() == 5);
   CHECK(lines.empty());
 }
 
