@@ -49,6 +49,7 @@ void apply(const Options& options, Stage& stage) {
   stage.options.tree_error_px = options.tree_error_px;
   stage.options.tree_vertices = options.tree_vertices;
   stage.options.tree_law = options.tree_law;
+  stage.options.trees_by_node = options.trees_by_node;
 }
 
 FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {

@@ -43,7 +43,7 @@ std::optional<PlantFile> parse_plant(const std::string& text) {
 
 /// CLI11 sees strings; what they must look like is checked here, so that its messages name the option.
 struct Texts {
-  std::string size = "1280x720", structure = "bqr", tree_law = "ours";
+  std::string size = "1280x720", structure = "bqr", tree_law = "ours", dispatch = "batched";
   std::vector<std::string> plants;
 };
 
@@ -84,6 +84,9 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
   app.add_option("--tree-law", texts.tree_law, "how trees lose detail: ours, gumbau, or full for all of it")
       ->check(CLI::IsMember({"ours", "gumbau", "full"}))
       ->capture_default_str();
+  app.add_option("--dispatch", texts.dispatch, "batched: all trees at once; node: each visible node's for itself")
+      ->check(CLI::IsMember({"batched", "node"}))
+      ->capture_default_str();
   app.add_option("--plant", texts.plants, "KIND=FILE.glb: model for broadleaf, conifer or shrub")
       ->check([](const std::string& text) { return std::string(parse_plant(text) ? "" : "is no KIND=FILE: " + text); },
               "");
@@ -93,6 +96,7 @@ Options finish(Options options, const Texts& texts) {
   options.size = *parse_size(texts.size);
   options.structure = texts.structure == "none" ? Structure::none : Structure::bqr;
   options.tree_law = foliage::law_named(texts.tree_law);
+  options.trees_by_node = texts.dispatch == "node";
   for (const std::string& plant : texts.plants) options.plants.push_back(*parse_plant(plant));
   return options;
 }

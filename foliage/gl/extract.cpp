@@ -13,7 +13,7 @@ namespace {
 
 using glsl::Capacity;
 using glsl::Totals;
-static_assert(sizeof(Totals) == 112);
+static_assert(sizeof(Totals) == 144);
 
 constexpr GLintptr kCommandBytes = 5 * sizeof(GLuint);
 
@@ -101,34 +101,65 @@ Extractor::Extractor(std::span<const TreeSite> all, const ExtractLimits& limits)
       choose(make_pass("choose", shaders::choose_comp)),
       expand(make_pass("expand", shaders::expand_comp)) {}
 
-void extract(Extractor& e, const PlantStore& store, const TreesInView& view) {
+namespace {
+
+void start(Extractor& e, const PlantStore& store, const TreesInView& view) {
   assert(view.trees <= e.most_trees);
-  Totals start{};
-  start.trees = view.trees;
-  start.runs = view.runs;
-  start.error2_at_1m = error2_at_1m(view.error_at_1m);
-  start.capacity = e.capacity;
-  glNamedBufferSubData(e.totals.name(), 0, sizeof start, &start);
+  Totals totals{};
+  totals.error2_at_1m = error2_at_1m(view.error_at_1m);
+  totals.runs = view.runs;
+  totals.capacity = e.capacity;
+  glNamedBufferSubData(e.totals.name(), 0, sizeof totals, &totals);
   bind(store);
   bind(e, view);
-  bind(e.tree_sums);
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, e.totals.name());
-  const auto scan_of = [&](GLuint of_items) {
-    glProgramUniform1ui(e.scan.name(), 0, of_items);
-    glProgramUniform1ui(e.scan_blocks.name(), 0, of_items);
-  };
-  scan_of(0);
-  dispatch(e.place, ceil_div(view.trees, 64));
-  dispatch(e.scan, ceil_div(view.trees, glsl::kScanBlock));
+}
+
+void set_scan(Extractor& e, bool of_items) {
+  glProgramUniform1ui(e.scan.name(), 0, of_items ? 1 : 0);
+  glProgramUniform1ui(e.scan_blocks.name(), 0, of_items ? 1 : 0);
+}
+
+/// Trees in view [trees.first, trees.last): after those of earlier nodes.
+void extract_node(Extractor& e, const Run& trees) {
+  const std::array<GLuint, 1> size{trees.size()}, first{trees.first};
+  glNamedBufferSubData(e.totals.name(), offsetof(Totals, trees), sizeof size, size.data());
+  glNamedBufferSubData(e.totals.name(), offsetof(Totals, first_tree), sizeof first, first.data());
+  bind(e.tree_sums);
+  set_scan(e, false);
+  dispatch(e.place, ceil_div(trees.size(), 64));
+  dispatch(e.scan, ceil_div(trees.size(), glsl::kScanBlock));
   dispatch(e.scan_blocks, 1);
   bind(e.item_sums);
-  scan_of(1);
+  set_scan(e, true);
   dispatch_indirect(e.choose, offsetof(Totals, per_item));
   dispatch_indirect(e.scan, offsetof(Totals, per_block));
   dispatch(e.scan_blocks, 1);
   dispatch_indirect(e.expand, offsetof(Totals, per_item));
+}
+
+void finish(Extractor& e) {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   e.shown->copy(e.totals, offsetof(Totals, shown));
+}
+
+}  // namespace
+
+void extract(Extractor& e, const PlantStore& store, const TreesInView& view) {
+  start(e, store, view);
+  if (view.trees > 0) extract_node(e, {0, view.trees});
+  finish(e);
+}
+
+void extract_by_node(Extractor& e, const PlantStore& store, const TreesInView& view, std::span<const Run> nodes) {
+  start(e, store, view);
+  std::uint32_t first = 0;
+  for (const Run& node : nodes) {
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    extract_node(e, {first, first + node.size()});
+    first += node.size();
+  }
+  finish(e);
 }
 
 Shown newest_shown(Extractor& extractor) {

@@ -54,6 +54,11 @@ struct Extractor {
 /// Needs the blocks' rows bound to kBlockRowsBinding. No allocation, no wait.
 void extract(Extractor& extractor, const PlantStore& store, const TreesInView& view);
 
+/// The same, each node's trees for themselves: seven dispatches a node. `nodes`: runs of sites, those of `view` or parts
+/// of them, in order; the lists are equal to the bit. For comparison.
+void extract_by_node(Extractor& extractor, const PlantStore& store, const TreesInView& view,
+                     std::span<const Run> nodes);
+
 /// What was chosen some frames ago, by the newest that the GPU has finished; no wait. Zeros before the first.
 Shown newest_shown(Extractor& extractor);
 

@@ -22,9 +22,9 @@ uint groups_of(uint count, uint size) { return (count + size - 1u) / size; }
 void main() {
   uint i = gl_GlobalInvocationID.x;
   if (i >= totals.items) return;
-  uint record = tree_of(i);
-  Item item = choose_item(trees[record], record, i - first_item(record));
-  items[i] = item;
+  uint local = tree_of(i), record = totals.first_tree + local;
+  Item item = choose_item(trees[record], record, i - first_item(local));
+  items[totals.items_before + i] = item;
   if (item.count > 0u) atomicAdd(totals.shown[item.kind], item.count);
   bool quads = item.kind <= kLeaves;
   offsets[i] = uvec4(quads ? groups_of(item.count, kQuadGroup) : 0u,

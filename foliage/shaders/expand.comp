@@ -11,11 +11,12 @@ void write(Item item, uint index, uint at, uint end, uint size) {
 void main() {
   uint i = gl_GlobalInvocationID.x;
   if (i >= totals.items) return;
-  Item item = items[i];
-  uvec4 at = offsets[i] + blocks[i / kScanBlock];
+  uint index = totals.items_before + i;
+  Item item = items[index];
+  uvec4 at = offsets[i] + blocks[i / kScanBlock] + totals.groups_before;
   Capacity room = totals.capacity;
   uint lines = room.quad_groups, points = lines + room.line_groups;
-  if (item.kind <= kLeaves) write(item, i, at.x, lines, kQuadGroup);
-  else if (item.kind == kLines) write(item, i, lines + at.y, points, kLineGroup);
-  else write(item, i, points + at.z, points + room.point_groups, kPointGroup);
+  if (item.kind <= kLeaves) write(item, index, at.x, lines, kQuadGroup);
+  else if (item.kind == kLines) write(item, index, lines + at.y, points, kLineGroup);
+  else write(item, index, points + at.z, points + room.point_groups, kPointGroup);
 }

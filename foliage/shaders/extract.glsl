@@ -15,12 +15,14 @@ struct Capacity {
   uint quad_draws, line_draws, spare0, spare1;  // commands that these might need
 };
 
-// What passes are told, and what they tell: GL's commands as it lays them out, five words each.
+// What passes are told, and what they tell. Trees are extracted all at once, or node after node: what earlier nodes have
+// left is `before`.
 struct Totals {
-  uint trees, runs, items;
+  uint trees, runs, first_tree;  // of the node at hand
   float error2_at_1m;
-  uvec4 groups;    // quads, lines, points in x, y, z
-  uvec4 per_item, per_block;  // work groups for choose and expand, and for the scan of items
+  uint items, items_before, spare0, spare1;  // of the node; of those before it
+  uvec4 groups, groups_before;               // quads, lines, points in x, y, z: with this node; without
+  uvec4 per_item, per_block;                 // work groups for choose and expand, and for the scan of items
   Capacity capacity;
-  uvec4 shown;  // primitives of each kind
+  uvec4 shown;  // primitives of each kind, of all nodes
 };

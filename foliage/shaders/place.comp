@@ -16,8 +16,9 @@ uint run_of(uint tree) {
 void main() {
   uint i = gl_GlobalInvocationID.x;
   if (i >= totals.trees) return;
-  uvec2 run = runs[run_of(i)];
-  TreeRecord tree = place_tree(run.x + (i - run.y));
-  trees[i] = tree;
+  uint index = totals.first_tree + i;
+  uvec2 run = runs[run_of(index)];
+  TreeRecord tree = place_tree(run.x + (index - run.y));
+  trees[index] = tree;
   offsets[i] = uvec4(items_of(tree), 0u, 0u, 0u);
 }

@@ -17,17 +17,20 @@ void write_quads(uint first_word, uint draws, uint quads) {
   }
 }
 
+void finish_trees(uint items) {
+  if (gl_LocalInvocationID.x != 0u) return;
+  totals.items_before += totals.items;
+  totals.groups_before = totals.groups;
+  items = min(items, totals.capacity.items - totals.items_before);
+  totals.items = items;
+  totals.per_item = uvec4((items + 63u) / 64u, 1u, 1u, 0u);
+  totals.per_block = uvec4((items + kScanBlock - 1u) / kScanBlock, 1u, 1u, 0u);
+}
+
 void finish(uvec4 total) {
-  if (of_items == 0u) {
-    if (gl_LocalInvocationID.x == 0u) {
-      totals.items = min(total.x, totals.capacity.items);
-      totals.per_item = uvec4((totals.items + 63u) / 64u, 1u, 1u, 0u);
-      totals.per_block = uvec4((totals.items + kScanBlock - 1u) / kScanBlock, 1u, 1u, 0u);
-    }
-    return;
-  }
   Capacity room = totals.capacity;
-  uvec4 groups = min(total, uvec4(room.quad_groups, room.line_groups, room.point_groups, 0u));
+  uvec4 most = uvec4(room.quad_groups, room.line_groups, room.point_groups, 0u);
+  uvec4 groups = min(totals.groups_before + total, most);
   if (gl_LocalInvocationID.x == 0u) {
     totals.groups = groups;
     uint word = 5u * (room.quad_draws + room.line_draws);
@@ -58,5 +61,6 @@ void main() {
     total += part[255];
     barrier();
   }
-  finish(total);
+  if (of_items == 0u) finish_trees(total.x);
+  else finish(total);
 }

@@ -162,7 +162,7 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const cu
   s.upload_frame(sets, frame);
   if (options.layers.trees) {
     const double error_px = options.tree_error_px / s.quality.tree_detail;
-    const TreeDetail detail{options.tree_law, error_px / f_px, options.tree_vertices};
+    const TreeDetail detail{options.tree_law, error_px / f_px, options.tree_vertices, options.trees_by_node};
     extract_trees(s.trees, scene.trees, sets.objects(), s.rows, detail, s.stream);
     counts.tree_error_px = s.trees.error_at_1m * f_px;
   }

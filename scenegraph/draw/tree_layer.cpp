@@ -47,13 +47,14 @@ void set_law(TreeLayerGpu& layer, foliage::Law law) {
   layer.law = law;
 }
 
-/// Rows of the layer, in order; those that follow each other become one run.
-void find_runs(const TreeLayer& trees, std::span<const culling::ObjectRun> objects, std::vector<foliage::Run>& runs) {
+/// Rows of the layer, in order; those that follow each other become one run, unless nodes are wanted apart.
+void find_runs(const TreeLayer& trees, std::span<const culling::ObjectRun> objects, bool apart,
+               std::vector<foliage::Run>& runs) {
   runs.clear();
   for (const culling::ObjectRun& run : objects) {
     const auto [first, last] = trees.table.rows(run);
     if (first == last) continue;
-    if (!runs.empty() && runs.back().last == first)
+    if (!apart && !runs.empty() && runs.back().last == first)
       runs.back().last = last;
     else
       runs.push_back({first, last});
@@ -90,14 +91,18 @@ std::size_t stream_bytes(const TreeLayerGpu&, std::size_t runs) {
 void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const culling::ObjectRun> objects,
                    std::span<const Rows> blocks, const TreeDetail& detail, gl::StreamBuffer& stream) {
   if (layer.law != detail.law) set_law(layer, detail.law);
-  find_runs(trees, objects, layer.runs);
+  find_runs(trees, objects, detail.by_node, layer.runs);
   const std::span<const Vec4> rows(blocks.empty() ? nullptr : blocks.front().data(), blocks.size() * 3);
   const foliage::TreesSeen seen{layer.sites, rows, layer.runs, detail.error_at_1m};
   layer.error_at_1m = error_for(layer.costs, layer.store.table, seen, {.vertices = detail.vertices});
   foliage::TreesInView view = write_runs(layer.runs, stream);
   view.error_at_1m = layer.error_at_1m;
   layer.trees_in_view = view.trees;
-  if (view.trees > 0) extract(layer.extractor, layer.store, view);
+  if (view.trees == 0) return;
+  if (detail.by_node)
+    extract_by_node(layer.extractor, layer.store, view, layer.runs);
+  else
+    extract(layer.extractor, layer.store, view);
 }
 
 Drawn draw_trees(const TreeLayerGpu& layer, const foliage::DrawPlantsOptions& options) {

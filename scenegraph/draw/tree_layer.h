@@ -29,6 +29,7 @@ struct TreeDetail {
   foliage::Law law = foliage::Law::ours;
   double error_at_1m = 0.001;  ///< error in pixels / focal length in pixels
   double vertices = 0;         ///< a budget that may raise it; 0: none
+  bool by_node = false;        ///< each visible node's trees in dispatches of their own; else all at once
 };
 
 std::size_t stream_bytes(const TreeLayerGpu& layer, std::size_t runs);

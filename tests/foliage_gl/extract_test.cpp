@@ -154,4 +154,27 @@ TEST_CASE("the GPU chooses what its twin on the CPU does to the bit") {
   CHECK(log.messages().empty());
 }
 
+TEST_CASE("node after node the lists are what they are all at once") {
+  const gl::HeadlessContext context;
+  PlantStore store(plants());
+  set_details(store, make_details(plants(), Law::ours));
+  const Forest forest = make_forest(700, 5);
+  const Uploaded up = upload(forest);
+  Extractor at_once(forest.sites, {}), by_node(forest.sites, {});
+  extract(at_once, store, up.view);
+  extract_by_node(by_node, store, up.view, forest.runs);
+  const auto of_all = read<glsl::Totals>(at_once.totals, 1).front(),
+             of_nodes = read<glsl::Totals>(by_node.totals, 1).front();
+  REQUIRE(of_nodes.items_before + of_nodes.items == of_all.items);
+  REQUIRE(of_nodes.groups == of_all.groups);
+  CHECK(of_nodes.shown == of_all.shown);
+  CHECK(same_bits(read<TreeRecord>(by_node.trees, up.view.trees), read<TreeRecord>(at_once.trees, up.view.trees)));
+  CHECK(same_bits(read<Item>(by_node.items, of_all.items), read<Item>(at_once.items, of_all.items)));
+  const auto& room = at_once.capacity;
+  const std::size_t groups = std::size_t{room.quad_groups} + room.line_groups + room.point_groups;
+  CHECK(same_bits(read<glm::uvec2>(by_node.groups, groups), read<glm::uvec2>(at_once.groups, groups)));
+  const std::size_t words = static_cast<std::size_t>(command_places(room).points) / 4 + 4;
+  CHECK(same_bits(read<GLuint>(by_node.commands, words), read<GLuint>(at_once.commands, words)));
+}
+
 }  // namespace manzana::foliage
