@@ -85,11 +85,12 @@ CostTable make_costs(const PlantTable& table) {
   costs.vertices.reserve(table.details.size());
   for (std::size_t i = 0; i < table.plants.size(); ++i) {
     const PlantHead& plant = table.plants[i];
-    const double quads = leaf_quads(table, plant) * mean_visibility(table, plant);
+    const double quads = leaf_quads(table, plant), visible = mean_visibility(table, plant);
     for (std::size_t row = 0; row < glsl::kDetailSteps; ++row) {
       const Detail& d = table.details[i * glsl::kDetailSteps + row];
       const auto points = static_cast<double>(d.to_points);
-      const double leaves = quads * static_cast<double>(d.share) * (1 - points);
+      const double seen = std::lerp(1.0, visible, static_cast<double>(d.hidden));
+      const double leaves = quads * seen * static_cast<double>(d.share) * (1 - points);
       costs.vertices.push_back(
           static_cast<float>(4 * (leaves + branch_quads(table, plant, d)) + static_cast<double>(d.points) * points));
     }

@@ -128,6 +128,7 @@ void show_pruned(Detail& d, const PreparedPlant& plant, const Measures& m, doubl
   const double z = m.quad > 0 ? error_m / m.quad : 1;
   const double u = z <= 1 ? 1 : 1 / (z * z);
   set_leaves(d, u, scale_for_share(plant.leaf_scale, u));
+  d.hidden = 1;
   d.lines = static_cast<float>(plant.lines.size());
 }
 

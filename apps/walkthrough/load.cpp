@@ -31,9 +31,9 @@ std::string printable(std::string text) {
 }
 
 /// Kept prepared from one start to the next.
-foliage::PreparedPlant load_file(const std::filesystem::path& file) {
+foliage::PreparedPlant load_file(const std::filesystem::path& file, const foliage::PrepareOptions& how) {
   const auto tell = [](const std::string& line) { std::fprintf(stderr, "%s\n", printable(line).c_str()); };
-  return foliage::load_or_prepare({file}, foliage::default_cache_folder(), {}, tell);
+  return foliage::load_or_prepare({file}, foliage::default_cache_folder(), how, tell);
 }
 
 }  // namespace
@@ -46,11 +46,14 @@ Imported load_city(const Options& options) {
 
 std::vector<foliage::PreparedPlant> load_plants(const Options& options) {
   std::vector<foliage::PreparedPlant> plants(kSpecies.size());
+  foliage::PrepareOptions how;
+  if (options.tree_law != foliage::Law::prune) how.visibility_side = 0;  // the others do not ask for it
   tbb::parallel_for(std::size_t{0}, kSpecies.size(), [&](std::size_t kind) {
     const auto* file = file_for(options, static_cast<PlantKind>(kind));
-    plants[kind] = file != nullptr
-                       ? load_file(*file)
-                       : foliage::prepare(foliage::grow_plant(foliage::builtin_species(kSpecies[kind]), options.seed));
+    plants[kind] =
+        file != nullptr
+            ? load_file(*file, how)
+            : foliage::prepare(foliage::grow_plant(foliage::builtin_species(kSpecies[kind]), options.seed), how);
   });
   return plants;
 }

@@ -65,9 +65,9 @@ Detail detail_at(uint plant, float error2) {
   d.bark = between(a.bark, b.bark, t);
   d.point_level = between(a.point_level, b.point_level, t);
   d.point_gain = between(a.point_gain, b.point_gain, t);
+  d.hidden = between(a.hidden, b.hidden, t);
   d.spare0 = 0.0f;
   d.spare1 = 0.0f;
-  d.spare2 = 0.0f;
   return d;
 }
 
@@ -144,9 +144,9 @@ uint view_share(PlantHead plant, uint cell, uint direction) {
 }
 
 // Share of a cell that can be seen from the eye: between three baked directions outside, all of it within the crown.
-float visible_share(TreeRecord tree, uint index) {
+float visible_share(TreeRecord tree, uint index, float hidden) {
   PlantHead plant = plants[tree.plant];
-  if (plant.view_side == 0u) return 1.0f;
+  if (plant.view_side == 0u || hidden <= 0.0f) return 1.0f;
   TreeSite site = sites[tree.site];
   vec3 middle = placed(tree.row_x, tree.row_y, tree.row_z, vec3(0.0f, 0.0f, plant.middle));
   precise float r2 = squared(middle) * site.inv_scale2, outside = (r2 - plant.near2) * plant.per_near2;
@@ -161,7 +161,7 @@ float visible_share(TreeRecord tree, uint index) {
              grid.weight.y * view_share(plant, index, grid.vertex.y) +
              grid.weight.z * view_share(plant, index, grid.vertex.z);
   precise float baked = float(sum) * 1.5318627450980392e-5f;  // 1 / (256 * 255)
-  return between(1.0f, baked, min(outside, 1.0f));
+  return between(1.0f, baked, min(outside, 1.0f) * hidden);
 }
 
 Item cell_item(TreeRecord tree, uint record, Detail at_tree, uint index) {
@@ -171,7 +171,7 @@ Item cell_item(TreeRecord tree, uint record, Detail at_tree, uint index) {
   float r2 = squared(placed(tree.row_x, tree.row_y, tree.row_z, cell.centre));
   precise float error2 = r2 * sites[tree.site].inv_scale2 * error2_at_1m;
   Detail d = detail_at(tree.plant, error2);
-  precise float keep = d.share * visible_share(tree, index) * (1.0f - at_tree.to_points);
+  precise float keep = d.share * visible_share(tree, index, d.hidden) * (1.0f - at_tree.to_points);
   precise float shown = float(cell.count) * keep;
   uint hash = mixed(tree.hash ^ mixed(index));
   precise float edge = shown + fraction_of(hash);

@@ -24,7 +24,8 @@ struct Detail {
   float point_gain;   // a point's area is multiplied by this and by the points of its level
   float lines;      // the first so many lines are thick enough
   float bark;       // level of the branches' mesh; its fraction: how far on the way to the next
-  float spare0, spare1, spare2;
+  float hidden;       // 1: of each cell only what can be seen of it from the eye; 0: all of it
+  float spare0, spare1;
 };
 
 // Of a plant's table, over the square of an error in metres: four an octave, from 2^-32 m2 to 2^16 m2.

@@ -241,6 +241,9 @@ TEST_CASE("with and without the structure the picture is the same") {
     const Picture a = take_picture(renderer, kSize, scene, bqr, view);
     const Picture b = take_picture(renderer, kSize, scene, none, view);
     CHECK(different_pixels(a, b, 0) == 0);
+    DrawOptions by_node;
+    by_node.trees_by_node = true;
+    CHECK(different_pixels(a, take_picture(renderer, kSize, scene, bqr, view, by_node), 0) == 0);
   }
 }
 
