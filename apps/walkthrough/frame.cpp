@@ -50,6 +50,7 @@ void apply(const Options& options, Stage& stage) {
   stage.options.tree_vertices = options.tree_vertices;
   stage.options.tree_law = options.tree_law;
   stage.options.trees_by_node = options.trees_by_node;
+  stage.options.wind = options.wind ? 1 : 0;
 }
 
 FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {
@@ -60,6 +61,7 @@ FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {
   row.cull_us = watch.lap() * 1e6;
   find_cars(stage.scene, ticks(seconds), stage.sets);
   row.update_us = watch.lap() * 1e6;
+  stage.options.seconds = seconds;
   const draw::FrameCounts counts = stage.renderer.draw(stage.scene, stage.sets, view, stage.options);
   if (stage.wait) glFinish();
   row.draw_ms = watch.lap() * 1e3;

@@ -84,6 +84,7 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
   app.add_option("--tree-law", texts.tree_law, "how trees lose detail: ours, gumbau, or full for all of it")
       ->check(CLI::IsMember({"ours", "gumbau", "full"}))
       ->capture_default_str();
+  app.add_flag("!--no-wind", options.wind, "trees stand still");
   app.add_option("--dispatch", texts.dispatch, "batched: all trees at once; node: each visible node's for itself")
       ->check(CLI::IsMember({"batched", "node"}))
       ->capture_default_str();

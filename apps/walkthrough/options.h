@@ -33,7 +33,7 @@ struct Options {
   std::vector<PlantFile> plants;
   double tree_error_px = 1, tree_vertices = 0;
   foliage::Law tree_law = foliage::Law::ours;
-  bool trees_by_node = false;
+  bool trees_by_node = false, wind = true;
 };
 
 using Parsed = apps::Parsed<Options>;

@@ -66,6 +66,8 @@ void draw_tree_detail(draw::DrawOptions& options) {
   auto error = static_cast<float>(options.tree_error_px), thousands = static_cast<float>(options.tree_vertices / 1000);
   if (ImGui::SliderFloat("tree error", &error, 0.1F, 32, "%.2f px", ImGuiSliderFlags_Logarithmic))
     options.tree_error_px = static_cast<double>(error);
+  auto wind = static_cast<float>(options.wind);
+  if (ImGui::SliderFloat("wind", &wind, 0, 1, "%.2f")) options.wind = static_cast<double>(wind);
   if (ImGui::SliderFloat("tree budget", &thousands, 0, 10000, thousands > 0 ? "%.0f k vertices" : "none",
                          ImGuiSliderFlags_Logarithmic))
     options.tree_vertices = std::floor(static_cast<double>(thousands)) * 1000;

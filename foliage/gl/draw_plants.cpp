@@ -37,9 +37,11 @@ void draw_quads(GLintptr commands, std::uint32_t draws) {
                               static_cast<GLsizei>(draws), 5 * sizeof(GLuint));
 }
 
-void use(const gl::Program& program, const gl::Buffer& primitives, float focal_px) {
+void use(const gl::Program& program, const gl::Buffer& primitives, const DrawPlantsOptions& options) {
+  const Wind& wind = options.wind;
   glUseProgram(program.name());
-  glUniform1f(0, focal_px);
+  glUniform1f(0, options.focal_px);
+  glUniform4f(2, wind.towards.x, wind.towards.y, wind.towards.z, wind.seconds);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kPrimitivesBinding, primitives.name());
 }
 
@@ -59,14 +61,14 @@ void draw_plants(const PlantPrograms& programs, const PlantStore& store, const E
   glBindVertexArray(programs.array.name());
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, extractor.commands.name());
   glBindTextureUnit(0, store.images.name());
-  use(programs.quads, store.quads, options.focal_px);
+  use(programs.quads, store.quads, options);
   glUniform1ui(1, static_cast<GLuint>(options.samples));
   draw_quads(at.quads, extractor.capacity.quad_draws);
-  use(programs.lines, store.lines, options.focal_px);
+  use(programs.lines, store.lines, options);
   glUniform1ui(1, static_cast<GLuint>(options.samples));
   draw_quads(at.lines, extractor.capacity.line_draws);
   glEnable(GL_PROGRAM_POINT_SIZE);
-  use(programs.points, store.points, options.focal_px);
+  use(programs.points, store.points, options);
   glDrawArraysIndirect(GL_POINTS, reinterpret_cast<const void*>(at.points));
   glDisable(GL_PROGRAM_POINT_SIZE);
 }

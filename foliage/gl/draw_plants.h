@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "foliage/gl/extract.h"
+#include "foliage/wind.h"
 #include "gl/program.h"
 
 namespace manzana::foliage {
@@ -26,6 +27,7 @@ struct PlantPrograms {
 struct DrawPlantsOptions {
   float focal_px = 1000;  ///< pixels of a metre at a distance of a metre
   int samples = 1;        ///< of the framebuffer
+  Wind wind;              ///< in the axes of what clip_position() takes
 };
 
 /// After extract(), with its bindings in place.

@@ -54,8 +54,8 @@ struct Extractor {
 /// Needs the blocks' rows bound to kBlockRowsBinding. No allocation, no wait.
 void extract(Extractor& extractor, const PlantStore& store, const TreesInView& view);
 
-/// The same, each node's trees for themselves: seven dispatches a node. `nodes`: runs of sites, those of `view` or parts
-/// of them, in order; the lists are equal to the bit. For comparison.
+/// The same, each node's trees for themselves: seven dispatches a node. `nodes`: runs of sites, those of `view` or
+/// parts of them, in order; the lists are equal to the bit. For comparison.
 void extract_by_node(Extractor& extractor, const PlantStore& store, const TreesInView& view,
                      std::span<const Run> nodes);
 

@@ -2,7 +2,7 @@
 struct LineSegment {
   vec4 a;  // w: radius
   vec4 b;
-  uvec4 rest;  // shade, as floatBitsToUint
+  uvec4 rest;  // shade, as floatBitsToUint; level
 };
 layout(std430, binding = 17) readonly buffer Lines { LineSegment lines[]; };
 layout(binding = 0) uniform sampler2DArray plants_images;
@@ -24,7 +24,8 @@ void main() {
   LineSegment line = lines[item.first + rank];
   TreeRecord tree = trees[item.record];
   vec4 end = corner == 1u || corner == 2u ? line.b : line.a;
-  vec3 a = place(tree, line.a.xyz), b = place(tree, line.b.xyz), rel = place(tree, end.xyz);
+  uint level = min(line.rest.y, 3u) << 30u;
+  vec3 a = swayed(tree, line.a.xyz, level), b = swayed(tree, line.b.xyz, level), rel = swayed(tree, end.xyz, level);
   vec3 side = cross(b - a, rel);
   side /= max(length(side), 1e-20);
   float width = end.w * sqrt(scales2(tree).x), least = 0.5 * length(rel) / focal_px;

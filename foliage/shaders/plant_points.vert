@@ -18,7 +18,7 @@ void main() {
   if (rank >= item.count) return;
   LeafPoint point = points[item.first + rank];
   TreeRecord tree = trees[item.record];
-  vec3 rel = place(tree, point.position_area.xyz);
+  vec3 rel = swayed(tree, point.position_area.xyz, point.rest.x);
   vec2 s = scales2(tree);
   float pixels = point.position_area.w * item.scale * sqrt(s.x * s.y) * focal_px * focal_px / dot(rel, rel);
   // Less than a pixel is drawn as one, as often as it is worth.

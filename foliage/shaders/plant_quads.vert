@@ -29,7 +29,7 @@ void main() {
     float left = clamp((item.edge - float(rank)) / item.fade, 0.0, 1.0);
     p = anchor + (p - anchor) * (item.scale * sqrt(left));
   }
-  vec3 rel = place(tree, p);
+  vec3 rel = swayed(tree, p, quads[index].normals[corner]);
   float shade = float((anchor_shades.w >> (8u * corner)) & 255u) * (1.0 / 255.0);
   out_uv = vec3(vec2(bits.w & 0xffffu, bits.w >> 16u) * (8.0 / 65535.0), float(2u * tree.plant) + leaf);
   plant_light(rel, turn_normal(tree, quads[index].normals[corner]), shade, leaf, tint_of(tree), out_light, out_air);

@@ -64,7 +64,7 @@ struct Renderer::State {
 
   std::size_t bytes_of_frame(const VisibleSets& sets) const;
   void upload_frame(const VisibleSets& sets, const FrameData& frame);
-  void draw_layers(const Scene& scene, const VisibleSets& sets, const culling::View& view, const Layers& layers,
+  void draw_layers(const Scene& scene, const VisibleSets& sets, const culling::View& view, const DrawOptions& options,
                    FrameCounts& counts);
 
   Quality quality;
@@ -103,7 +103,9 @@ void Renderer::State::upload_frame(const VisibleSets& sets, const FrameData& fra
 
 // What stands high hides what lies flat, and the sky shades only what is left.
 void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, const culling::View& view,
-                                  const Layers& layers, FrameCounts& counts) {
+                                  const DrawOptions& options, FrameCounts& counts) {
+  const Layers& layers = options.layers;
+  const foliage::Wind wind{Vec3(0.8, 0.6, 0) * static_cast<float>(options.wind), static_cast<float>(options.seconds)};
   glEnable(GL_CULL_FACE);
   if (layers.buildings) {
     counts.buildings = count(scene.buildings.table, sets.objects());
@@ -116,7 +118,7 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
   glDisable(GL_CULL_FACE);
   if (layers.trees) {
     counts.trees = count(scene.trees.table, sets.objects());
-    add(counts, draw_trees(trees, {static_cast<float>(focal_px(target, view)), target.samples}));
+    add(counts, draw_trees(trees, {static_cast<float>(focal_px(target, view)), target.samples, wind}));
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, stream.name());
   }
   if (layers.surfaces) {
@@ -166,7 +168,7 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const cu
     extract_trees(s.trees, scene.trees, sets.objects(), s.rows, detail, s.stream);
     counts.tree_error_px = s.trees.error_at_1m * f_px;
   }
-  s.draw_layers(scene, sets, view, options.layers, counts);
+  s.draw_layers(scene, sets, view, options, counts);
   if (options.frozen != nullptr) draw_lines(s.volumes, volume_lines(scene.tree, *options.frozen, view.eye));
   gl::resolve(s.target);
   s.stream.end();

@@ -38,7 +38,9 @@ struct DrawOptions {
   double tree_error_px = 1;      ///< what is smaller may be wrong
   double tree_vertices = 0;      ///< at most so many in all trees: the error grows until they suffice; 0: no limit
   foliage::Law tree_law = foliage::Law::ours;
-  bool trees_by_node = false;  ///< each visible node dispatches its own extraction: same picture, for comparison
+  bool trees_by_node = false;    ///< each visible node dispatches its own extraction: same picture, for comparison
+  double wind = 0;               ///< strength, 0 to 1
+  double seconds = 0;            ///< of the wind
   double fog_distance_m = 4000;  ///< where half of the light is the air's
   /// Debug view: volumes of the tree for this frustum, drawn as lines over what is drawn for the view. nullptr: none.
   const culling::View* frozen = nullptr;

@@ -4,6 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "foliage/wind.h"
+
 namespace manzana {
 namespace {
 
@@ -35,8 +37,8 @@ BoxD bounds(const CityMesh& mesh, const BlockFrame& frame) {
 
 BoxD bounds(const TreeInstance& tree, const BlockFrame& frame) {
   const Vec3d foot = tree.position;
-  const double r = static_cast<double>(tree.crown_radius_m) * kTreeSlack,
-               h = static_cast<double>(tree.height_m) * kTreeSlack;
+  const double h = static_cast<double>(tree.height_m) * kTreeSlack;
+  const double r = static_cast<double>(tree.crown_radius_m) * kTreeSlack + h * foliage::kMostSway;
   BoxD box;
   for (const double x : {-r, r})
     for (const double y : {-r, r})

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <new>
 
+#include "foliage/wind.h"
 #include "gl/context.h"
 #include "gl/error_log.h"
 #include "tests/draw/hand_scene.h"
@@ -245,6 +246,45 @@ TEST_CASE("with and without the structure the picture is the same") {
     by_node.trees_by_node = true;
     CHECK(different_pixels(a, take_picture(renderer, kSize, scene, bqr, view, by_node), 0) == 0);
   }
+}
+
+TEST_CASE("the wind moves a tree and keeps it within the room that its bounds leave") {
+  const Stage stage;
+  HandBlock block;
+  TreeInstance tree;
+  tree.position = {0, 40, 0};
+  tree.height_m = 12;
+  tree.crown_radius_m = 4;
+  block.trees = {tree};
+  const Scene scene = make_scene({block});
+  Renderer renderer(scene, simple_plants(), low());
+  const culling::View view = look_in(scene.blocks[0], {0, 0, 6}, {0, 1, 0}, 40, kAspect);
+  const VisibleSets sets = visible(scene, view, Structure::none);
+  DrawOptions options;
+  options.layers = {.buildings = false, .surfaces = false, .trees = true, .cars = false, .sky = false, .fog = false};
+  const Picture still = take_picture(renderer, kSize, scene, sets, view, options);
+  options.layers.trees = false;
+  const Picture nothing = take_picture(renderer, kSize, scene, sets, view, options);
+  options.layers.trees = true;
+  Vec2d low(1e9), high(-1e9);
+  const double r = 4 + 12 * foliage::kMostSway;
+  for (const Vec3d& corner : {Vec3d(-r, 40 - r, 0), Vec3d(r, 40 - r, 0), Vec3d(-r, 40 - r, 12), Vec3d(r, 40 - r, 12)}) {
+    const Vec2d at = project(view, kSize, scene.blocks[0].to_local(corner));
+    low = glm::min(low, at), high = glm::max(high, at);
+  }
+  options.wind = 1;
+  std::size_t moved = 0, outside = 0;
+  for (options.seconds = 0; options.seconds < 12; options.seconds += 0.61) {
+    const Picture picture = take_picture(renderer, kSize, scene, sets, view, options);
+    moved += different_pixels(still, picture, 0) > 0 ? 1 : 0;
+    for (int y = 0; y < kSize.height; ++y)
+      for (int x = 0; x < kSize.width; ++x) {
+        const bool inside = x + 1 > low.x && x < high.x && y + 1 > low.y && y < high.y;
+        outside += !inside && picture.at(x, y) != nothing.at(x, y) ? 1 : 0;
+      }
+  }
+  CHECK(moved == 20);
+  CHECK(outside == 0);
 }
 
 TEST_CASE("of two walls in one plane the later one is seen wherever the rest of their buildings stands") {
