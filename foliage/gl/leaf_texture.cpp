@@ -1,6 +1,7 @@
 #include "foliage/gl/leaf_texture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace manzana::foliage {
@@ -30,15 +31,20 @@ Image make_image(int size) {
   return image;
 }
 
+/// Colours count by their alpha: what cannot be seen near does not tint what is seen far.
 void average(const Image& image, int x, int y, std::uint8_t* texel) {
-  for (std::size_t c = 0; c < 4; ++c) {
-    double sum = 0;
-    for (int k = 0; k < 4; ++k) {
-      const std::uint8_t value = image.rgba[at(image, 2 * x + k % 2, 2 * y + k / 2) + c];
-      sum += c < 3 ? linear(value) : value / 255.0;
+  std::array<double, 3> weighted{}, plain{};
+  double alpha = 0;
+  for (int k = 0; k < 4; ++k) {
+    const std::uint8_t* from = &image.rgba[at(image, 2 * x + k % 2, 2 * y + k / 2)];
+    alpha += from[3];
+    for (std::size_t c = 0; c < 3; ++c) {
+      weighted[c] += linear(from[c]) * from[3];
+      plain[c] += linear(from[c]) / 4;
     }
-    texel[c] = c < 3 ? encoded(sum / 4) : static_cast<std::uint8_t>(std::lround(sum / 4 * 255));
   }
+  for (std::size_t c = 0; c < 3; ++c) texel[c] = encoded(alpha > 0 ? weighted[c] / alpha : plain[c]);
+  texel[3] = static_cast<std::uint8_t>(std::lround(alpha / 4));
 }
 
 Image halved(const Image& image) {

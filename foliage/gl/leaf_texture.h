@@ -12,7 +12,8 @@ namespace manzana::foliage {
 /// Share of texels whose alpha passes the test at one half.
 double alpha_coverage(const Image& image);
 
-/// image, half of it, ... 1 x 1. Colours are averaged in linear light. An empty image gives one white texel.
+/// image, half of it, ... 1 x 1. Colours are averaged in linear light, by their alpha. An empty image gives one white
+/// texel.
 std::vector<Image> coverage_mipmaps(const Image& image);
 
 /// Nearest texels, to another size; what is of that size already is only copied. Empty: white.

@@ -47,6 +47,15 @@ TEST_CASE("the smallest levels have the image's coverage as their mean alpha") {
   }
 }
 
+TEST_CASE("transparent texels do not tint the levels") {
+  Image image = dots();
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+    if (image.rgba[i + 3] == 0) image.rgba[i] = image.rgba[i + 1] = image.rgba[i + 2] = 255;  // a white matte
+  for (const Image& level : coverage_mipmaps(image))
+    for (std::size_t i = 0; i < level.rgba.size(); i += 4)
+      if (level.rgba[i + 3] > 0) REQUIRE(std::abs(level.rgba[i + 1] - 120) <= 1);
+}
+
 TEST_CASE("an image of nothing is white, an opaque one stays opaque") {
   CHECK(coverage_mipmaps({}).size() == 1);
   CHECK(resized({}, 8).rgba == std::vector<std::uint8_t>(256, 255));
