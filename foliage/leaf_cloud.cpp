@@ -8,6 +8,7 @@
 #include "foliage/leaf_points.h"
 #include "foliage/leaf_scale.h"
 #include "foliage/obb_cells.h"
+#include "foliage/point_shade.h"
 #include "foliage/random.h"
 
 namespace manzana::foliage {
@@ -46,6 +47,7 @@ class LeafCloud {
     make_lines();
     ready_.leaf_scale = fit_leaf_scale(ready_).scale;
     fit_points();
+    fit_point_shades(ready_);
   }
 
  private:
