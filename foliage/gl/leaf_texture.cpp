@@ -62,6 +62,8 @@ void keep_coverage(Image& image, double coverage) {
   std::sort(alphas.rbegin(), alphas.rend());
   const auto passing = static_cast<std::size_t>(std::lround(coverage * static_cast<double>(alphas.size())));
   if (passing == 0 || alphas[passing - 1] == 0) return;
+  const bool kept = alphas[passing - 1] >= kPasses && (passing == alphas.size() || alphas[passing] < kPasses);
+  if (kept) return;
   const double scale = kPasses / static_cast<double>(alphas[passing - 1]);
   for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
     image.rgba[i] = static_cast<std::uint8_t>(std::min(255L, std::lround(image.rgba[i] * scale)));
