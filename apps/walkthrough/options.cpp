@@ -41,6 +41,16 @@ std::optional<PlantFile> parse_plant(const std::string& text) {
   return std::nullopt;
 }
 
+/// CLI::Range lets what is no number pass, since no comparison holds.
+CLI::Validator within(double low, double high) {
+  const auto check = [=](const std::string& text) {
+    double value = 0;
+    const bool ok = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+    return ok ? std::string() : "is not between " + std::to_string(low) + " and " + std::to_string(high) + ": " + text;
+  };
+  return {check, "", "within"};
+}
+
 /// CLI11 sees strings; what they must look like is checked here, so that its messages name the option.
 struct Texts {
   std::string size = "1280x720", structure = "bqr", tree_law = "ours", dispatch = "batched";
@@ -76,10 +86,10 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
   app.add_option("--cars", options.cars, "how many; without it the length of the streets decides")
       ->check(CLI::Range(0, 1000000));
   app.add_option("--tree-error", options.tree_error_px, "pixels that may be wrong in trees")
-      ->check(CLI::Range(0.01, 1000.0))
+      ->check(within(0.01, 1000))
       ->capture_default_str();
   app.add_option("--tree-vertices", options.tree_vertices, "budget of a frame that may raise the error; 0: none")
-      ->check(CLI::Range(0.0, 1e9))
+      ->check(within(0, 1e9))
       ->capture_default_str();
   app.add_option("--tree-law", texts.tree_law, "how trees lose detail: ours, gumbau, or full for all of it")
       ->check(CLI::IsMember({"ours", "gumbau", "full"}))
