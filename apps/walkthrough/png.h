@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "apps/common/png.h"
 #include "scenegraph/draw/renderer.h"
 
 namespace manzana::walkthrough {
@@ -14,6 +15,8 @@ struct Picture {
 };
 
 /// The same bytes for the same picture. Throws std::runtime_error ("FILE: what").
-void write_png(const std::filesystem::path& file, const Picture& picture);
+inline void write_png(const std::filesystem::path& file, const Picture& picture) {
+  apps::write_png(file, picture.size.width, picture.size.height, picture.rgb);
+}
 
 }  // namespace manzana::walkthrough

@@ -33,14 +33,6 @@ std::vector<foliage::TreeSite> sites_of(const TreeLayer& trees, std::span<const 
   return sites;
 }
 
-foliage::HostShaders host_shaders() {
-  using namespace shaders;
-  return {.vertex = {frame_layout_glsl, frame_glsl, light_glsl, plant_light_glsl},
-          .quads = {frame_layout_glsl, frame_glsl, light_glsl, tree_frag},
-          .lines = {frame_layout_glsl, frame_glsl, light_glsl, tree_line_frag},
-          .points = {frame_layout_glsl, frame_glsl, light_glsl, tree_point_frag}};
-}
-
 void set_law(TreeLayerGpu& layer, foliage::Law law) {
   set_details(layer.store, make_details(layer.plants, law));
   layer.costs = make_costs(layer.store.table);
@@ -73,12 +65,20 @@ foliage::TreesInView write_runs(std::span<const foliage::Run> runs, gl::StreamBu
 
 }  // namespace
 
+foliage::HostShaders plant_shaders() {
+  using namespace shaders;
+  return {.vertex = {frame_layout_glsl, frame_glsl, light_glsl, plant_light_glsl},
+          .quads = {frame_layout_glsl, frame_glsl, light_glsl, tree_frag},
+          .lines = {frame_layout_glsl, frame_glsl, light_glsl, tree_line_frag},
+          .points = {frame_layout_glsl, frame_glsl, light_glsl, tree_point_frag}};
+}
+
 TreeLayerGpu::TreeLayerGpu(const TreeLayer& trees, std::span<const foliage::PreparedPlant> prepared)
     : plants(without_pictures(prepared)),
       store(prepared),
       sites(sites_of(trees, prepared)),
       extractor(sites, {}),
-      programs(host_shaders()),
+      programs(plant_shaders()),
       shadows(make_shadow("shadow_tree", shaders::shadow_tree_vert)) {
   set_law(*this, foliage::Law::ours);
   runs.reserve(sites.size());

@@ -8,6 +8,9 @@
 
 namespace manzana::draw {
 
+/// How plants are lit here; they read FrameData (camera.h) from uniform block 0.
+foliage::HostShaders plant_shaders();
+
 struct TreeLayerGpu {
   /// `plants`: one for each PlantKind.
   TreeLayerGpu(const TreeLayer& trees, std::span<const foliage::PreparedPlant> plants);

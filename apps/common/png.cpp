@@ -1,4 +1,4 @@
-#include "apps/walkthrough/png.h"
+#include "apps/common/png.h"
 
 #include <stb/stb_image_write.h>
 
@@ -8,7 +8,7 @@
 
 #include "files/whole_file.h"
 
-namespace manzana::walkthrough {
+namespace manzana::apps {
 namespace {
 
 void append(void* bytes, void* data, int size) {
@@ -17,13 +17,12 @@ void append(void* bytes, void* data, int size) {
 
 }  // namespace
 
-void write_png(const std::filesystem::path& file, const Picture& picture) {
-  const auto [width, height] = picture.size;
-  assert(picture.rgb.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+void write_png(const std::filesystem::path& file, int width, int height, std::span<const unsigned char> rgb) {
+  assert(rgb.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
   std::string bytes;
-  if (stbi_write_png_to_func(append, &bytes, width, height, 3, picture.rgb.data(), width * 3) == 0)
+  if (stbi_write_png_to_func(append, &bytes, width, height, 3, rgb.data(), width * 3) == 0)
     throw std::runtime_error(file.string() + ": the picture cannot be packed");
   files::write_whole(file, bytes);
 }
 
-}  // namespace manzana::walkthrough
+}  // namespace manzana::apps

@@ -1,0 +1,196 @@
+#include "apps/foliage_benchmark/errors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace manzana::foliage_benchmark {
+namespace {
+
+using foliage::Law;
+
+constexpr std::array kElevationsDeg{2.0, 20.0, 45.0};
+
+/// Of one plant from one side.
+struct Camera {
+  double azimuth_deg, elevation_deg;
+  Shot shot;
+};
+
+Camera camera_of(const Extent& extent, int view, int views, double height_px) {
+  Camera camera{360.0 * view / views, kElevationsDeg[static_cast<std::size_t>(view) % kElevationsDeg.size()], {}};
+  constexpr double kDegree = std::numbers::pi / 180;
+  camera.shot = shot_of(extent, camera.azimuth_deg * kDegree, camera.elevation_deg * kDegree, height_px);
+  return camera;
+}
+
+void set_errors(const ImageError& error, ErrorRow& row) {
+  row.cover = error.cover;
+  row.iou = error.iou;
+  row.silhouette = error.silhouette;
+  row.colour = error.colour;
+  row.ssim = error.ssim;
+  row.gmsd = error.gmsd;
+  row.psnr = error.psnr;
+}
+
+void set_counts(const foliage::Shown& shown, ErrorRow& row) {
+  row.bark = shown.bark;
+  row.leaves = shown.leaves;
+  row.lines = shown.lines;
+  row.points = shown.points;
+  row.primitives = 2 * (shown.bark + shown.leaves + shown.lines) + shown.points;
+}
+
+class Measurement {
+ public:
+  Measurement(Stage& stage, const ErrorPlan& plan, std::vector<ErrorRow>& rows)
+      : stage_(stage), plan_(plan), rows_(rows) {}
+
+  void add(std::uint32_t plant, const Camera& camera, double height_px) {
+    row_.plant = stage_.plants()[plant].name;
+    row_.height_px = height_px;
+    row_.azimuth_deg = camera.azimuth_deg;
+    row_.elevation_deg = camera.elevation_deg;
+    const foliage::Run run{plant, plant + 1};
+    stage_.set_law(Law::full);
+    const Picture reference = stage_.draw(run, camera.shot, {plan_.error_px, Sampling::fine});
+    compare(reference, run, Law::full, moved(camera.shot, 0.5), Sampling::fine, "moved");
+    compare(reference, run, Law::full, camera.shot, Sampling::product, "product");
+    for (const Law law : plan_.laws) {
+      compare(reference, run, law, camera.shot, Sampling::fine, "fine");
+      compare(reference, run, law, camera.shot, Sampling::product, "product");
+    }
+  }
+
+ private:
+  void compare(const Picture& reference, const foliage::Run& run, Law law, const Shot& shot, Sampling sampling,
+               const char* name) {
+    stage_.set_law(law);
+    const Picture picture = stage_.draw(run, shot, {plan_.error_px, sampling});
+    ErrorRow row = row_;
+    row.law = name_of(law);
+    row.sampling = name;
+    row.error_px = law == Law::full ? 0 : plan_.error_px;
+    set_counts(stage_.shown(), row);
+    set_errors(image_error(reference, picture), row);
+    rows_.push_back(std::move(row));
+  }
+
+  Stage& stage_;
+  const ErrorPlan& plan_;
+  std::vector<ErrorRow>& rows_;
+  ErrorRow row_;
+};
+
+constexpr std::array kMeasured{&ErrorRow::cover, &ErrorRow::iou,  &ErrorRow::silhouette, &ErrorRow::colour,
+                               &ErrorRow::ssim,  &ErrorRow::gmsd, &ErrorRow::psnr};
+constexpr std::array kCounted{&ErrorRow::bark, &ErrorRow::leaves, &ErrorRow::lines, &ErrorRow::points,
+                              &ErrorRow::primitives};
+
+bool same_kind(const ErrorRow& a, const ErrorRow& b) {
+  return a.plant == b.plant && a.height_px == b.height_px && a.law == b.law && a.sampling == b.sampling &&
+         a.error_px == b.error_px;
+}
+
+bool same_place(const ErrorRow& a, const ErrorRow& b) { return a.plant == b.plant && a.height_px == b.height_px; }
+
+ErrorRow mean_of(std::span<const ErrorRow> rows, const ErrorRow& kind) {
+  ErrorRow mean = kind;
+  std::vector<const ErrorRow*> alike;
+  for (const ErrorRow& row : rows)
+    if (same_kind(row, kind)) alike.push_back(&row);
+  const auto n = static_cast<double>(alike.size());
+  for (const auto member : kMeasured) {
+    double sum = 0;
+    for (const ErrorRow* row : alike) sum += row->*member;
+    mean.*member = sum / n;
+  }
+  for (const auto member : kCounted) {
+    double sum = 0;
+    for (const ErrorRow* row : alike) sum += static_cast<double>(row->*member);
+    mean.*member = static_cast<std::uint64_t>(std::llround(sum / n));
+  }
+  return mean;
+}
+
+}  // namespace
+
+std::vector<foliage::TreeSite> sites_of(std::span<const foliage::PreparedPlant> plants) {
+  std::vector<foliage::TreeSite> sites;
+  for (const foliage::PreparedPlant& plant : plants) {
+    const auto index = static_cast<std::uint32_t>(sites.size());
+    sites.push_back(make_site(plant, index, plant.height_m, plant.crown_radius_m, 0, index));
+    sites.back().hash = (sites.back().hash & ~255U) | 128U;  // the same tint for all
+  }
+  return sites;
+}
+
+std::vector<ErrorRow> measure_errors(std::span<const foliage::PreparedPlant> plants, const ErrorPlan& plan,
+                                     const std::function<void(double)>& progress) {
+  std::vector<ErrorRow> rows;
+  Stage stage(plants, sites_of(plants));
+  Measurement measurement(stage, plan, rows);
+  const double all = static_cast<double>(plants.size() * plan.heights.size()) * plan.views;
+  double done = 0;
+  for (std::uint32_t plant = 0; plant < plants.size(); ++plant) {
+    const Extent extent = extent_of(plants[plant]);
+    for (const double height_px : plan.heights) {
+      for (int view = 0; view < plan.views; ++view) {
+        measurement.add(plant, camera_of(extent, view, plan.views, height_px), height_px);
+        progress(++done / all);
+      }
+    }
+  }
+  return rows;
+}
+
+std::vector<Verdict> judge(std::span<const ErrorRow> rows) {
+  std::vector<Verdict> verdicts;
+  for (const ErrorRow& row : rows) {
+    const auto known = [&](const Verdict& v) { return same_kind(v.mean, row); };
+    if (std::none_of(verdicts.begin(), verdicts.end(), known)) verdicts.push_back({.mean = mean_of(rows, row)});
+  }
+  for (Verdict& v : verdicts) {
+    for (const Verdict& floor : verdicts) {
+      if (floor.mean.law != "full" || !same_place(v.mean, floor.mean)) continue;
+      v.floor_ssim = std::min(v.floor_ssim, floor.mean.ssim);
+      v.floor_gmsd = std::max(v.floor_gmsd, floor.mean.gmsd);
+    }
+    v.cover = std::abs(v.mean.cover - 1) <= kCoverWithin;
+    v.colour = v.mean.colour <= kColourWithin;
+    v.ssim = v.mean.ssim >= v.floor_ssim;
+    v.gmsd = v.mean.gmsd <= v.floor_gmsd;
+  }
+  return verdicts;
+}
+
+Picture contact_sheet(Stage& stage, std::uint32_t plant, const Extent& extent, Law law, double error_px,
+                      std::span<const double> heights) {
+  std::vector<Picture> above, below;
+  int width = 0, height = 0;
+  for (const double height_px : heights) {
+    const Camera camera = camera_of(extent, 0, 1, height_px);
+    const foliage::Run run{plant, plant + 1};
+    stage.set_law(Law::full);
+    above.push_back(stage.draw(run, camera.shot, {error_px, Sampling::product}));
+    stage.set_law(law);
+    below.push_back(stage.draw(run, camera.shot, {error_px, Sampling::product}));
+    width += above.back().width;
+    height = std::max(height, above.back().height);
+  }
+  Picture sheet = make_picture(width, 2 * height);
+  int left = 0;
+  for (std::size_t i = 0; i < above.size(); ++i) {
+    for (int y = 0; y < above[i].height; ++y)
+      for (int x = 0; x < above[i].width; ++x) {
+        sheet.at(left + x, height + y) = above[i].at(x, y);
+        sheet.at(left + x, y) = below[i].at(x, y);
+      }
+    left += above[i].width;
+  }
+  return sheet;
+}
+
+}  // namespace manzana::foliage_benchmark

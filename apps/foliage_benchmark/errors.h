@@ -1,0 +1,54 @@
+#pragma once
+/// How far each law of detail is from all detail, from far and near, beside what half a pixel of camera motion and the
+/// product's own sampling do.
+///   std::vector<ErrorRow> rows = measure_errors(plants, {.heights = {64, 16}, .views = 4}, progress);
+///   std::vector<Verdict> verdicts = judge(rows);
+#include <functional>
+#include <string>
+
+#include "apps/foliage_benchmark/image_error.h"
+#include "apps/foliage_benchmark/stage.h"
+
+namespace manzana::foliage_benchmark {
+
+struct ErrorPlan {
+  std::vector<double> heights{512, 256, 128, 64, 32, 16, 12};  ///< of the plant, pixels
+  int views = 8;                                               ///< evenly round it, at elevations in turn
+  std::vector<foliage::Law> laws{foliage::Law::ours, foliage::Law::prune};
+  double error_px = 1;
+};
+
+/// One picture against the reference: all detail, finely sampled.
+struct ErrorRow {
+  std::string plant;
+  std::string law;       ///< full, ours, gumbau
+  std::string sampling;  ///< fine, product; moved: fine, by half a pixel
+  double height_px = 0, azimuth_deg = 0, elevation_deg = 0, error_px = 0;
+  std::uint64_t bark = 0, leaves = 0, lines = 0, points = 0, primitives = 0;
+  double cover = 1, iou = 1, silhouette = 0, colour = 0, ssim = 1, gmsd = 0, psnr = 99;
+};
+
+/// `progress` is called with [0, 1].
+std::vector<ErrorRow> measure_errors(std::span<const foliage::PreparedPlant> plants, const ErrorPlan& plan,
+                                     const std::function<void(double)>& progress);
+
+/// The means over the views of one plant, height, law and sampling, and whether they stay under the floors.
+struct Verdict {
+  ErrorRow mean;                        ///< angles unused
+  double floor_ssim = 1, floor_gmsd = 0;  ///< the worse of both floors
+  bool cover = true, colour = true, ssim = true, gmsd = true;
+  bool all() const { return cover && colour && ssim && gmsd; }
+};
+inline constexpr double kCoverWithin = 0.02, kColourWithin = 0.005;
+
+/// A verdict for each law and sampling, floors among them, in the order of the rows.
+std::vector<Verdict> judge(std::span<const ErrorRow> rows);
+
+/// A sheet: all detail above, the law below, at the distances of these heights, side by side; product sampling.
+Picture contact_sheet(Stage& stage, std::uint32_t plant, const Extent& extent, foliage::Law law, double error_px,
+                      std::span<const double> heights);
+
+/// A site for each plant, at the origin, of natural size.
+std::vector<foliage::TreeSite> sites_of(std::span<const foliage::PreparedPlant> plants);
+
+}  // namespace manzana::foliage_benchmark

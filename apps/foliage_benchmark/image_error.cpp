@@ -1,0 +1,224 @@
+#include "apps/foliage_benchmark/image_error.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "apps/common/quantile.h"
+
+namespace manzana::foliage_benchmark {
+namespace {
+
+constexpr int kGrownBy = 5;  // pixels
+
+/// One number a pixel.
+struct Plane {
+  int width = 0, height = 0;
+  std::vector<float> values;
+  /// Beyond the border it goes on as it ends.
+  float at(int x, int y) const {
+    const int i = std::clamp(x, 0, width - 1), j = std::clamp(y, 0, height - 1);
+    return values[static_cast<std::size_t>(j) * static_cast<std::size_t>(width) + static_cast<std::size_t>(i)];
+  }
+};
+
+template <class F>
+Plane make_plane(int width, int height, F&& f) {
+  Plane plane{width, height, {}};
+  plane.values.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) plane.values.push_back(f(x, y));
+  return plane;
+}
+
+/// sRGB luma, 0 to 255.  [ITU-R BT.709, item 3.3]
+Plane luma_of(const Picture& picture) {
+  return make_plane(picture.width, picture.height, [&](int x, int y) {
+    const Vec3 light = seen_at(picture.at(x, y));
+    return 255 * (0.2126F * to_srgb(light.x) + 0.7152F * to_srgb(light.y) + 0.0722F * to_srgb(light.z));
+  });
+}
+
+std::array<float, 11> gaussian() {
+  std::array<float, 11> weights{};
+  float sum = 0;
+  for (int i = -5; i <= 5; ++i) sum += weights[static_cast<std::size_t>(i + 5)] = std::exp(-static_cast<float>(i * i) / 4.5F);
+  for (float& w : weights) w /= sum;
+  return weights;
+}
+
+Plane blurred(const Plane& plane) {
+  static const auto weights = gaussian();
+  const auto pass = [](const Plane& from, int dx, int dy) {
+    return make_plane(from.width, from.height, [&](int x, int y) {
+      float sum = 0;
+      for (int i = -5; i <= 5; ++i) sum += weights[static_cast<std::size_t>(i + 5)] * from.at(x + i * dx, y + i * dy);
+      return sum;
+    });
+  };
+  return pass(pass(plane, 1, 0), 0, 1);
+}
+
+Plane product(const Plane& a, const Plane& b) {
+  return make_plane(a.width, a.height, [&](int x, int y) { return a.at(x, y) * b.at(x, y); });
+}
+
+/// [Wang, Bovik, Sheikh, Simoncelli 2004, equation 13]
+Plane ssim_map(const Plane& a, const Plane& b) {
+  constexpr float c1 = 0.01F * 255 * 0.01F * 255, c2 = 0.03F * 255 * 0.03F * 255;
+  const Plane mean_a = blurred(a), mean_b = blurred(b);
+  const Plane aa = blurred(product(a, a)), bb = blurred(product(b, b)), ab = blurred(product(a, b));
+  return make_plane(a.width, a.height, [&](int x, int y) {
+    const float p = mean_a.at(x, y), q = mean_b.at(x, y);
+    const float cross = ab.at(x, y) - p * q, spread = aa.at(x, y) - p * p + bb.at(x, y) - q * q;
+    return (2 * p * q + c1) * (2 * cross + c2) / ((p * p + q * q + c1) * (spread + c2));
+  });
+}
+
+Plane halved(const Plane& plane) {
+  return make_plane((plane.width + 1) / 2, (plane.height + 1) / 2, [&](int x, int y) {
+    return (plane.at(2 * x, 2 * y) + plane.at(2 * x + 1, 2 * y) + plane.at(2 * x, 2 * y + 1) +
+            plane.at(2 * x + 1, 2 * y + 1)) / 4;
+  });
+}
+
+/// Prewitt's.
+Plane gradient(const Plane& p) {
+  return make_plane(p.width, p.height, [&](int x, int y) {
+    float dx = 0, dy = 0;
+    for (int i = -1; i <= 1; ++i) {
+      dx += p.at(x + 1, y + i) - p.at(x - 1, y + i);
+      dy += p.at(x + i, y + 1) - p.at(x + i, y - 1);
+    }
+    return std::hypot(dx, dy) / 3;
+  });
+}
+
+/// [Xue, Zhang, Mou, Bovik 2014, equation 4]
+Plane gradient_similarity(const Plane& a, const Plane& b) {
+  constexpr float c = 170;
+  const Plane ga = gradient(halved(a)), gb = gradient(halved(b));
+  return make_plane(ga.width, ga.height, [&](int x, int y) {
+    const float p = ga.at(x, y), q = gb.at(x, y);
+    return (2 * p * q + c) / (p * p + q * q + c);
+  });
+}
+
+struct Moments {
+  double mean = 0, deviation = 0;
+};
+
+/// Over the judged pixels; `scale`: the plane's pixels are so many wide.
+Moments moments(const Plane& plane, const std::vector<bool>& judged, int width, int scale) {
+  double n = 0, sum = 0, squares = 0;
+  for (std::size_t i = 0; i < judged.size(); ++i) {
+    if (!judged[i]) continue;
+    const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
+    const auto v = static_cast<double>(plane.at(x / scale, y / scale));
+    n += 1;
+    sum += v;
+    squares += v * v;
+  }
+  if (n == 0) return {1, 0};
+  return {sum / n, std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n)))};
+}
+
+struct Sums {
+  double cover = 0;
+  Vec3d light{0};
+};
+
+Sums sums_of(const Picture& picture) {
+  Sums sums;
+  for (const Vec4& texel : picture.texels) {
+    sums.cover += static_cast<double>(texel.w);
+    sums.light += Vec3d(Vec3(texel));
+  }
+  return sums;
+}
+
+void compare_sums(const Picture& a, const Picture& b, ImageError& error) {
+  const Sums of_a = sums_of(a), of_b = sums_of(b);
+  if (of_a.cover <= 0) return;
+  error.cover = of_b.cover / of_a.cover;
+  const Vec3d difference = of_b.light / std::max(of_b.cover, 1e-9) - of_a.light / of_a.cover;
+  error.colour = std::sqrt(glm::dot(difference, difference) / 3);
+}
+
+void compare_silhouettes(const Picture& a, const Picture& b, ImageError& error) {
+  double both = 0, either = 0, differences = 0, cover = 0;
+  for (std::size_t i = 0; i < a.texels.size(); ++i) {
+    const float p = a.texels[i].w, q = b.texels[i].w;
+    both += p >= 0.5F && q >= 0.5F ? 1 : 0;
+    either += p >= 0.5F || q >= 0.5F ? 1 : 0;
+    differences += static_cast<double>(std::abs(p - q));
+    cover += static_cast<double>(p);
+  }
+  if (either > 0) error.iou = both / either;
+  if (cover > 0) error.silhouette = differences / cover;
+}
+
+double psnr_of(const Picture& a, const Picture& b, const std::vector<bool>& judged) {
+  double sum = 0, n = 0;
+  for (std::size_t i = 0; i < judged.size(); ++i) {
+    if (!judged[i]) continue;
+    const Vec3 p = seen_at(a.texels[i]), q = seen_at(b.texels[i]);
+    for (int c = 0; c < 3; ++c) {
+      const auto d = static_cast<double>(to_srgb(p[c]) - to_srgb(q[c]));
+      sum += d * d;
+      n += 1;
+    }
+  }
+  return sum > 0 ? std::min(99.0, -10 * std::log10(sum / n)) : 99;
+}
+
+}  // namespace
+
+std::vector<bool> judged_pixels(const Picture& a, const Picture& b, int grown_by) {
+  std::vector<bool> judged(a.texels.size());
+  const auto mark = [&](int x, int y) {
+    if (x < 0 || y < 0 || x >= a.width || y >= a.height) return;
+    judged[static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(x)] = true;
+  };
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x) {
+      if (a.at(x, y).w <= 0 && b.at(x, y).w <= 0) continue;
+      for (int j = -grown_by; j <= grown_by; ++j)
+        for (int i = -grown_by; i <= grown_by; ++i)
+          if (i * i + j * j <= grown_by * grown_by) mark(x + i, y + j);
+    }
+  return judged;
+}
+
+ImageError image_error(const Picture& reference, const Picture& candidate) {
+  assert(reference.width == candidate.width && reference.height == candidate.height);
+  ImageError error;
+  compare_sums(reference, candidate, error);
+  compare_silhouettes(reference, candidate, error);
+  const auto judged = judged_pixels(reference, candidate, kGrownBy);
+  const Plane a = luma_of(reference), b = luma_of(candidate);
+  error.ssim = moments(ssim_map(a, b), judged, a.width, 1).mean;
+  error.gmsd = moments(gradient_similarity(a, b), judged, a.width, 2).deviation;
+  error.psnr = psnr_of(reference, candidate, judged);
+  return error;
+}
+
+Step step_between(const Picture& before, const Picture& after) {
+  const auto judged = judged_pixels(before, after, 0);
+  std::vector<double> steps;
+  double sum = 0;
+  for (std::size_t i = 0; i < judged.size(); ++i) {
+    if (!judged[i]) continue;
+    const Vec3 p = seen_at(before.texels[i]), q = seen_at(after.texels[i]);
+    float largest = 0;
+    for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(to_srgb(p[c]) - to_srgb(q[c])));
+    steps.push_back(static_cast<double>(largest));
+    sum += steps.back();
+  }
+  if (steps.empty()) return {};
+  const double mean = sum / static_cast<double>(steps.size());
+  return {mean, apps::quantile(std::move(steps), 0.999)};
+}
+
+}  // namespace manzana::foliage_benchmark

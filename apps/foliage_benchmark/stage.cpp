@@ -1,0 +1,267 @@
+#include "apps/foliage_benchmark/stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "foliage_benchmark_parts_shaders.h"
+#include "scenegraph/draw/camera.h"
+#include "scenegraph/draw/tree_layer.h"
+
+namespace manzana::foliage_benchmark {
+namespace {
+
+// A reference has at least 4 x 4 samples a pixel, and so many that the plant is this high: where leaf cards are smaller
+// than a few samples, the alpha test drops them, and four samples a pixel show half of a far crown.
+constexpr double kFineHeightPx = 768;
+constexpr double kFocalPx = 935;   // 1080 rows, 60 degrees
+constexpr int kMarginPx = 8;
+constexpr std::size_t kMostRooms = 3;
+
+std::vector<foliage::PreparedPlant> without_pictures(std::span<const foliage::PreparedPlant> plants) {
+  std::vector<foliage::PreparedPlant> all(plants.begin(), plants.end());
+  for (foliage::PreparedPlant& plant : all) plant.leaf_image = plant.bark_image = {};
+  return all;
+}
+
+foliage::HostShaders shaders_with_mask() {
+  foliage::HostShaders host = draw::plant_shaders();
+  for (gl::Pieces* pieces : {&host.quads, &host.lines, &host.points}) {
+    pieces->insert(pieces->end() - 1, shaders::mask_begin_glsl);
+    pieces->push_back(shaders::mask_end_glsl);
+  }
+  return host;
+}
+
+gl::Renderbuffer make_renderbuffer(GLenum format, int width, int height, int samples) {
+  GLuint name = 0;
+  glCreateRenderbuffers(1, &name);
+  gl::Renderbuffer buffer(name);
+  glNamedRenderbufferStorageMultisample(name, samples > 1 ? samples : 0, format, width, height);
+  return buffer;
+}
+
+gl::Framebuffer make_framebuffer(const gl::Renderbuffer& colour, const gl::Renderbuffer& mask, GLuint depth) {
+  GLuint name = 0;
+  glCreateFramebuffers(1, &name);
+  gl::Framebuffer framebuffer(name);
+  constexpr std::array<GLenum, 2> kBoth{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+  glNamedFramebufferRenderbuffer(name, kBoth[0], GL_RENDERBUFFER, colour.name());
+  glNamedFramebufferRenderbuffer(name, kBoth[1], GL_RENDERBUFFER, mask.name());
+  if (depth != 0) glNamedFramebufferRenderbuffer(name, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
+  glNamedFramebufferDrawBuffers(name, 2, kBoth.data());
+  if (glCheckNamedFramebufferStatus(name, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw std::runtime_error("the device cannot draw colour and mask of that size");
+  return framebuffer;
+}
+
+template <class T>
+void upload(const gl::Buffer& buffer, const T& value) {
+  glNamedBufferSubData(buffer.name(), 0, sizeof value, &value);
+}
+
+std::vector<unsigned char> read_bytes(const gl::Framebuffer& from, GLenum attachment, GLenum format, int width,
+                                      int height) {
+  const std::size_t channels = format == GL_RGBA ? 4 : 1;
+  std::vector<unsigned char> bytes(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels);
+  glNamedFramebufferReadBuffer(from.name(), attachment);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
+  glReadPixels(0, 0, width, height, format, GL_UNSIGNED_BYTE, bytes.data());
+  return bytes;
+}
+
+std::array<float, 256> decoding() {
+  std::array<float, 256> table{};
+  for (std::size_t i = 0; i < table.size(); ++i) table[i] = from_srgb(static_cast<float>(i) / 255);
+  return table;
+}
+
+}  // namespace
+
+Extent extent_of(const foliage::PreparedPlant& plant) {
+  Extent extent;
+  extent.nominal_height = static_cast<double>(plant.height_m);
+  for (const auto* quads : {&plant.bark, &plant.leaves}) {
+    for (const foliage::PlantQuad& quad : *quads) {
+      for (const auto& corner : quad.corners) {
+        const Vec3d p(corner.position);
+        extent.low = std::min(extent.low, p.z);
+        extent.high = std::max(extent.high, p.z);
+        extent.radius = std::max(extent.radius, std::hypot(p.x, p.y));
+      }
+    }
+  }
+  return extent;
+}
+
+Shot shot_of(const Extent& extent, double azimuth, double elevation, double height_px) {
+  Shot shot;
+  shot.focal_px = kFocalPx;
+  while (shot.fine * height_px < kFineHeightPx && shot.fine < 64) shot.fine *= 2;
+  const double distance = kFocalPx * extent.nominal_height / height_px, middle = (extent.low + extent.high) / 2;
+  const Vec3d back(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+  shot.view = culling::look(Vec3d(0, 0, middle) + distance * back, -back, {0, 0, 1}, 1, 1);
+  // Of the ball round the cylinder: all there is of it, whatever the perspective.
+  const double half_height = (extent.high - extent.low) / 2;
+  const double tall = half_height * std::cos(elevation) + extent.radius * std::sin(elevation);
+  const double nearest = std::max(0.1 * distance, distance - extent.radius * std::cos(elevation) - half_height * std::sin(elevation));
+  const auto side = [&](double half) { return 2 * (static_cast<int>(std::ceil(kFocalPx * half / nearest)) + kMarginPx); };
+  shot.width = side(extent.radius);
+  shot.height = side(tall);
+  shot.view.tan_right = shot.width / (2 * kFocalPx);
+  shot.view.tan_left = -shot.view.tan_right;
+  shot.view.tan_top = shot.height / (2 * kFocalPx);
+  shot.view.tan_bottom = -shot.view.tan_top;
+  shot.view.near_m = 0.05 * distance;
+  return shot;
+}
+
+Shot moved(const Shot& shot, double right_px) {
+  Shot other = shot;
+  other.view.tan_left -= right_px / shot.focal_px;
+  other.view.tan_right -= right_px / shot.focal_px;
+  return other;
+}
+
+std::array<Vec4, 3> rows_seen_from(const Vec3d& eye) { return draw::relative_to(eye, BlockFrame{}); }
+
+Stage::Stage(std::span<const foliage::PreparedPlant> plants, std::span<const foliage::TreeSite> sites,
+             const foliage::ExtractLimits& limits)
+    : plants_(without_pictures(plants)),
+      sites_(sites.begin(), sites.end()),
+      store_(plants),
+      extractor_(sites, limits),
+      programs_(shaders_with_mask()),
+      frame_(gl::make_buffer(sizeof(draw::FrameData))),
+      rows_(gl::make_buffer(sizeof(draw::Rows))),
+      runs_(gl::make_buffer(sites.size() * sizeof(glm::uvec2))) {
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+}
+
+void Stage::set_law(foliage::Law law) {
+  if (law_ != law) set_details(store_, make_details(plants_, law));
+  law_ = law;
+}
+
+Stage::Room Stage::make_room(int width, int height, int samples) {
+  Room room;
+  room.width = width;
+  room.height = height;
+  room.samples = samples;
+  room.colour = make_renderbuffer(GL_SRGB8_ALPHA8, width, height, samples);
+  room.mask = make_renderbuffer(GL_R8, width, height, samples);
+  room.depth = make_renderbuffer(GL_DEPTH_COMPONENT32F, width, height, samples);
+  room.drawn = make_framebuffer(room.colour, room.mask, room.depth.name());
+  if (samples == 1) return room;
+  room.flat_colour = make_renderbuffer(GL_SRGB8_ALPHA8, width, height, 1);
+  room.flat_mask = make_renderbuffer(GL_R8, width, height, 1);
+  room.flat = make_framebuffer(room.flat_colour, room.flat_mask, 0);
+  return room;
+}
+
+Stage::Room& Stage::room_for(int width, int height, int samples) {
+  const auto fits = [&](const Room& r) { return r.width == width && r.height == height && r.samples == samples; };
+  const auto at = std::find_if(rooms_.begin(), rooms_.end(), fits);
+  if (at != rooms_.end()) return *at;
+  if (rooms_.size() == kMostRooms) rooms_.erase(rooms_.begin());
+  return rooms_.emplace_back(make_room(width, height, samples));
+}
+
+void Stage::begin(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) {
+  in_view_ = {};
+  std::vector<glm::uvec2> firsts;
+  for (const foliage::Run& run : runs) {
+    firsts.emplace_back(run.first, in_view_.trees);
+    in_view_.trees += run.size();
+  }
+  in_view_.buffer = runs_.name();
+  in_view_.runs = static_cast<std::uint32_t>(firsts.size());
+  in_view_.error_at_1m = how.error_px / shot.focal_px;
+  glNamedBufferSubData(runs_.name(), 0, static_cast<GLsizeiptr>(firsts.size() * sizeof(glm::uvec2)), firsts.data());
+  upload(rows_, rows_seen_from(shot.view.eye));
+  draw::DrawOptions options;
+  options.layers.fog = false;
+  draw::FrameData frame = draw::make_frame(LocalFrame{}, shot.view, options, BlockFrame{});
+  // Level ground, wherever the eye is.
+  frame.up = {0, 0, 1, 1};
+  upload(frame_, frame);
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_.name());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, foliage::kBlockRowsBinding, rows_.name());
+}
+
+void Stage::extract_and_draw(Room& room, const Shot& shot, const HowDrawn& how) {
+  extract(extractor_, store_, in_view_);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, room.drawn.name());
+  glViewport(0, 0, room.width, room.height);
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GEQUAL);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_FRAMEBUFFER_SRGB);
+  const Vec4 nothing{0};
+  glClearNamedFramebufferfv(room.drawn.name(), GL_COLOR, 0, &nothing.x);
+  glClearNamedFramebufferfv(room.drawn.name(), GL_COLOR, 1, &nothing.x);
+  glClearNamedFramebufferfv(room.drawn.name(), GL_DEPTH, 0, &nothing.x);
+  const double enlarged = static_cast<double>(room.width) / shot.width;
+  draw_plants(programs_, store_, extractor_,
+              {static_cast<float>(shot.focal_px * enlarged), how.sampling == Sampling::product});
+}
+
+/// Means over squares of `factor` pixels.
+Picture Stage::read(Room& room, int factor) {
+  const bool many = room.samples > 1;
+  for (const GLenum part : {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1}) {
+    if (!many) break;
+    glNamedFramebufferReadBuffer(room.drawn.name(), part);
+    glNamedFramebufferDrawBuffers(room.flat.name(), 1, &part);
+    glBlitNamedFramebuffer(room.drawn.name(), room.flat.name(), 0, 0, room.width, room.height, 0, 0, room.width,
+                           room.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  const gl::Framebuffer& from = many ? room.flat : room.drawn;
+  const auto colour = read_bytes(from, GL_COLOR_ATTACHMENT0, GL_RGBA, room.width, room.height);
+  const auto mask = read_bytes(from, GL_COLOR_ATTACHMENT1, GL_RED, room.width, room.height);
+  static const auto linear = decoding();
+  Picture picture = make_picture(room.width / factor, room.height / factor);
+  for (int y = 0; y < room.height; ++y) {
+    for (int x = 0; x < room.width; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(room.width) + static_cast<std::size_t>(x);
+      if (mask[i] == 0) continue;
+      picture.at(x / factor, y / factor) += Vec4{linear[colour[4 * i]], linear[colour[4 * i + 1]],
+                                                 linear[colour[4 * i + 2]], static_cast<float>(mask[i]) / 255};
+    }
+  }
+  for (Vec4& texel : picture.texels) texel /= static_cast<float>(factor * factor);
+  return picture;
+}
+
+Stage::Room& Stage::draw_into_room(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) {
+  const bool fine = how.sampling == Sampling::fine;
+  const int enlarged = fine ? shot.fine : 1;
+  Room& room = room_for(shot.width * enlarged, shot.height * enlarged, fine ? 1 : 4);
+  begin(runs, shot, how);
+  extract_and_draw(room, shot, how);
+  return room;
+}
+
+Picture Stage::draw(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) {
+  Room& room = draw_into_room(runs, shot, how);
+  return read(room, how.sampling == Sampling::fine ? shot.fine : 1);
+}
+
+void Stage::draw_only(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) {
+  draw_into_room(runs, shot, how);
+  glFinish();
+}
+
+void Stage::extract_only(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) {
+  begin(runs, shot, how);
+  extract(extractor_, store_, in_view_);
+  glFinish();
+}
+
+foliage::Shown Stage::shown() {
+  glFinish();
+  return newest_shown(extractor_);
+}
+
+}  // namespace manzana::foliage_benchmark

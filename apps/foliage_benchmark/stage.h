@@ -1,0 +1,92 @@
+#pragma once
+/// Draws plants without a window, as the walkthrough lights them, into pictures that can be compared.
+///   Stage stage(plants, sites);
+///   const Shot shot = shot_of(extent, azimuth, elevation, 128);
+///   stage.set_law(foliage::Law::ours);
+///   const Picture exact = stage.draw({0, 1}, shot, {.error_px = 1, .sampling = Sampling::fine});
+#include <optional>
+
+#include "apps/foliage_benchmark/picture.h"
+#include "culling/frustum.h"
+#include "foliage/detail.h"
+#include "foliage/gl/draw_plants.h"
+
+namespace manzana::foliage_benchmark {
+
+/// fine: the mean of a picture so many times the size that leaves' pictures are resolved, as references are drawn;
+/// product: four samples a pixel, with alpha to coverage.
+enum class Sampling : std::uint8_t { fine, product };
+
+/// A camera and its picture's size. Plants stand on the plane z = 0 of the scene.
+struct Shot {
+  culling::View view;
+  int width = 0, height = 0;
+  double focal_px = 1000;
+  int fine = 4;  ///< samples along a side of a pixel, for Sampling::fine
+};
+
+/// An upright cylinder round the origin's axis that holds a plant.
+struct Extent {
+  double low = 0, high = 0, radius = 0, nominal_height = 0;
+};
+Extent extent_of(const foliage::PreparedPlant& plant);
+
+/// From so far that the plant's height has so many pixels; the picture holds all of it, and a margin for what windows
+/// reach. Angles in radians.
+Shot shot_of(const Extent& extent, double azimuth, double elevation, double height_px);
+/// The same picture, so much to the right.
+Shot moved(const Shot& shot, double right_px);
+
+struct HowDrawn {
+  double error_px = 1;
+  Sampling sampling = Sampling::fine;
+};
+
+class Stage {
+ public:
+  /// A context must be current, and stay the same. Throws as PlantStore, Extractor and PlantPrograms do.
+  Stage(std::span<const foliage::PreparedPlant> plants, std::span<const foliage::TreeSite> sites,
+        const foliage::ExtractLimits& limits = {});
+
+  void set_law(foliage::Law law);
+  /// Of the sites in the runs.
+  Picture draw(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
+  Picture draw(const foliage::Run& run, const Shot& shot, const HowDrawn& how) { return draw({&run, 1}, shot, how); }
+  /// Only extraction and drawing, into the same kind of framebuffer, without reading it; ends with glFinish.
+  void draw_only(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
+  void extract_only(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
+  /// Of the last picture.
+  foliage::Shown shown();
+
+  const foliage::PlantTable& table() const { return store_.table; }
+  const std::vector<foliage::PreparedPlant>& plants() const { return plants_; }  ///< without pictures
+  std::span<const foliage::TreeSite> sites() const { return sites_; }
+
+ private:
+  struct Room {
+    int width = 0, height = 0, samples = 0;
+    gl::Renderbuffer colour, mask, depth, flat_colour, flat_mask;
+    gl::Framebuffer drawn, flat;
+  };
+  static Room make_room(int width, int height, int samples);
+  Room& room_for(int width, int height, int samples);
+  void begin(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
+  void extract_and_draw(Room& room, const Shot& shot, const HowDrawn& how);
+  Room& draw_into_room(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
+  static Picture read(Room& room, int factor);
+
+  std::vector<foliage::PreparedPlant> plants_;
+  std::vector<foliage::TreeSite> sites_;
+  foliage::PlantStore store_;
+  foliage::Extractor extractor_;
+  foliage::PlantPrograms programs_;
+  gl::Buffer frame_, rows_, runs_;
+  std::optional<foliage::Law> law_;
+  foliage::TreesInView in_view_;
+  std::vector<Room> rooms_;  // the newest last
+};
+
+/// The rows that select() and extract() are told, of a scene whose only block is the scene itself.
+std::array<Vec4, 3> rows_seen_from(const Vec3d& eye);
+
+}  // namespace manzana::foliage_benchmark
