@@ -2,10 +2,10 @@
 
 #include <cstdio>
 
+#include "apps/common/child.h"
 #include "apps/common/progress_bar.h"
 #include "apps/culling_benchmark/cars.h"
 #include "apps/culling_benchmark/catalogue.h"
-#include "apps/culling_benchmark/child.h"
 #include "apps/culling_benchmark/extremes.h"
 #include "apps/culling_benchmark/frame_table.h"
 #include "apps/culling_benchmark/paper_plots.h"
@@ -26,8 +26,8 @@ namespace {
 std::string columns_md() {
   return "# Columns\nAn empty cell is a value that was not measured.\n\n"
          "## summary.csv; front.csv has its rows that are best in the trade\n" +
-         explain(summary_columns()) + "\n## runs.csv\n" + explain(run_columns()) +
-         "\n## frames/CASE_PEER.csv (first process)\n" + explain(frame_columns()) + paper_columns_md() +
+         apps::explain(summary_columns()) + "\n## runs.csv\n" + apps::explain(run_columns()) +
+         "\n## frames/CASE_PEER.csv (first process)\n" + apps::explain(frame_columns()) + paper_columns_md() +
          extremes_columns_md() + cars_columns_md() + sharing_columns_md();
 }
 
@@ -37,8 +37,8 @@ void remove_parts(const std::filesystem::path& folder) {
     if (entry.path().extension().string().starts_with(".part")) std::filesystem::remove(entry.path());
 }
 
-std::vector<Script> all_plots(const Options& options, std::span<const SummaryRow> table, const PaperPart& paper) {
-  std::vector<Script> scripts = case_plots(options, table);
+std::vector<apps::Script> all_plots(const Options& options, std::span<const SummaryRow> table, const PaperPart& paper) {
+  std::vector<apps::Script> scripts = case_plots(options, table);
   for (const auto& more : {growth_plots(table), trade_plots(table), paper::paper_plots(paper.run)})
     scripts.insert(scripts.end(), more.begin(), more.end());
   return scripts;
@@ -50,7 +50,7 @@ std::string extremes_section(const Options& options, std::vector<std::string>& w
   const double left = besides(options).extremes;
   apps::ProgressBar bar(stderr);
   const Extremes extremes = run_extremes({.seed = options.seed, .cameras = options.quick ? 20 : 100}, [&](double done) {
-    throw_if_interrupted();
+    apps::throw_if_interrupted();
     bar.show("extremes", done, apps::time_left(left * (1 - done)));
   });
   write_extremes(options.out, extremes);
@@ -64,7 +64,7 @@ std::string cars_section(const Options& options) {
   const Besides left = besides(options);
   apps::ProgressBar bar(stderr);
   const CarsRun run = run_cars({.seed = options.seed}, [&](double done) {
-    throw_if_interrupted();
+    apps::throw_if_interrupted();
     bar.show("cars", done, apps::time_left(left.cars * (1 - done) + left.extremes));
   });
   write_cars(options.out, run);
@@ -77,7 +77,7 @@ std::string sharing_section(const Options& options) {
   const Besides left = besides(options);
   apps::ProgressBar bar(stderr);
   const SharingRun run = run_sharing({.seed = options.seed}, [&](double done) {
-    throw_if_interrupted();
+    apps::throw_if_interrupted();
     bar.show("one query on all threads", done, apps::time_left(left.sharing * (1 - done) + left.cars + left.extremes));
   });
   write_sharing(options.out, run);
@@ -100,7 +100,7 @@ int time_all(const Options& options, const std::vector<std::string>& arguments) 
   std::string sections = sharing_section(options);
   sections += cars_section(options);
   sections += extremes_section(options, wrong);
-  const auto plots = draw_all(options.out, all_plots(options, table, paper));
+  const auto plots = apps::draw_all(options.out, all_plots(options, table, paper));
   files::write_whole(options.out / "report.md",
                      report_md(options, table, wrong, plots) + sections + paper_section(paper, plots));
   std::printf("written to %s; read report.md first\n", options.out.c_str());
@@ -123,10 +123,10 @@ int run_benchmark(const Options& options, const std::vector<std::string>& argume
     run_process(options);
     return 0;
   }
-  watch_for_interrupts();
+  apps::watch_for_interrupts();
   try {
     return time_all(options, arguments);
-  } catch (const Interrupted&) {
+  } catch (const apps::Interrupted&) {
     std::fprintf(stderr, "interrupted: the same command goes on from what is finished in %s\n", options.out.c_str());
     return 1;
   }

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "apps/culling_benchmark/clock.h"
+#include "apps/common/clock.h"
 #include "apps/culling_benchmark/paper_streets.h"
 #include "culling/baselines/cases.h"
 
@@ -92,15 +92,15 @@ CarsBuffers::CarsBuffers(const Scene& scene)
 
 CarsFrame cars_frame(const Scene& scene, const culling::View& view, std::uint64_t tick, CarsBuffers& buffers) {
   CarsFrame frame;
-  const auto start = Clock::now();
+  const auto start = apps::Clock::now();
   find_visible(scene, view, Structure::bqr, buffers.sets);
-  frame.query_us = us_since(start);
+  frame.query_us = apps::us_since(start);
   frame.work = find_cars(scene, tick, buffers.sets);
-  frame.find_us = us_since(start) - frame.query_us;
+  frame.find_us = apps::us_since(start) - frame.query_us;
   const std::vector<CarState>& cars = buffers.sets.cars;
   draw::count_cars(cars, view.eye, kFocalPx, buffers.selection);
   draw::place_cars(scene, cars, view.eye, buffers.selection, buffers.instances.data());
-  frame.lists_us = us_since(start) - frame.query_us - frame.find_us;
+  frame.lists_us = apps::us_since(start) - frame.query_us - frame.find_us;
   frame.in_view = cars.size();
   return frame;
 }
@@ -122,7 +122,7 @@ double mean_of(const std::vector<CarsFrame>& frames, Field field) {
 double median_of(const std::vector<CarsFrame>& frames, Field field) {
   std::vector<double> values;
   for (const CarsFrame& f : frames) values.push_back(field(f));
-  return median(std::move(values));
+  return apps::median(std::move(values));
 }
 
 /// One city on one flight, with the frames of every round.
@@ -143,7 +143,7 @@ struct Lane {
   double median_us(Field field) const {
     std::vector<double> medians;
     for (const auto& round : rounds) medians.push_back(median_of(round, field));
-    return median(std::move(medians));
+    return apps::median(std::move(medians));
   }
 };
 
@@ -163,8 +163,8 @@ CarsRow row_of(const Lane& lane, const Lane& first, const CarsFlight& flight) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < lane.rounds.size(); ++i)
     ratios.push_back(median_of(lane.rounds[i], kAll) / median_of(first.rounds[i], kAll));
-  row.ratio = median_ratio(ratios);
-  const Interval interval = median_interval(ratios);
+  row.ratio = apps::median_ratio(ratios);
+  const apps::Interval interval = apps::median_interval(ratios);
   row.ratio_lo = interval.low;
   row.ratio_hi = interval.high;
   return row;

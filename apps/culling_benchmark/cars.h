@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/culling_benchmark/statistics.h"
+#include "apps/common/statistics.h"
 #include "scenegraph/draw/select_cars.h"
 #include "scenegraph/visible.h"
 

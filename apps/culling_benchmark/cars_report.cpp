@@ -1,14 +1,14 @@
 #include <array>
 
+#include "apps/common/csv.h"
+#include "apps/common/markdown.h"
 #include "apps/culling_benchmark/cars.h"
-#include "apps/culling_benchmark/csv.h"
-#include "apps/culling_benchmark/markdown.h"
 #include "files/whole_file.h"
 
 namespace manzana::culling_benchmark {
 namespace {
 
-using C = Column<CarsRow>;
+using C = apps::Column<CarsRow>;
 constexpr std::array kColumns{
     C{"cars", "", "that move in the city", &CarsRow::cars},
     C{"blocks", "", "of the city", &CarsRow::blocks},
@@ -30,26 +30,27 @@ std::string flight_md(const CarsRun& run, double metres_a_frame) {
                                                "finding us", "lists us", "all us", "x first"}};
   for (const CarsRow& r : run.rows)
     if (r.metres_a_frame == metres_a_frame)
-      cells.push_back({grouped(static_cast<double>(r.cars)), grouped(r.in_view), grouped(r.half_streets),
-                       grouped(r.looked_at), digits3(r.query_us), digits3(r.find_us), digits3(r.lists_us),
-                       digits3(r.all_us),
-                       digits3(r.ratio) + " [" + digits3(r.ratio_lo) + ", " + digits3(r.ratio_hi) + "]"});
-  return "A camera that moves " + digits3(metres_a_frame) + " m a frame:\n\n" + md_table(cells);
+      cells.push_back(
+          {apps::grouped(static_cast<double>(r.cars)), apps::grouped(r.in_view), apps::grouped(r.half_streets),
+           apps::grouped(r.looked_at), apps::digits3(r.query_us), apps::digits3(r.find_us), apps::digits3(r.lists_us),
+           apps::digits3(r.all_us),
+           apps::digits3(r.ratio) + " [" + apps::digits3(r.ratio_lo) + ", " + apps::digits3(r.ratio_hi) + "]"});
+  return "A camera that moves " + apps::digits3(metres_a_frame) + " m a frame:\n\n" + apps::md_table(cells);
 }
 
 std::string verdict(const CarsRun& run) {
   const CarsRow* worst = &run.rows.front();
   for (const CarsRow& r : run.rows)
     if (r.ratio_hi > worst->ratio_hi) worst = &r;
-  return "Meant to be under " + digits3(kMostCarsGrowth) +
+  return "Meant to be under " + apps::digits3(kMostCarsGrowth) +
          " times the first city's: " + (worst->ratio_hi < kMostCarsGrowth ? "met" : "**not met**") + ", " +
-         digits3(worst->ratio) + " at most.\n\n";
+         apps::digits3(worst->ratio) + " at most.\n\n";
 }
 
 }  // namespace
 
 void write_cars(const std::filesystem::path& folder, const CarsRun& run) {
-  files::write_whole(folder / "cars.csv", to_csv<CarsRow>(run.rows, kColumns));
+  files::write_whole(folder / "cars.csv", apps::to_csv<CarsRow>(run.rows, kColumns));
 }
 
 std::string cars_columns_md() { return "\n## cars.csv\n" + explain<CarsRow>(kColumns); }

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/common/markdown.h"
 #include "apps/culling_benchmark/extremes_tables.h"
-#include "apps/culling_benchmark/markdown.h"
 #include "culling/baselines/naive.h"
 
 namespace manzana::culling_benchmark {
@@ -14,7 +14,7 @@ ExtremesFilter of_sort(const std::string& objects) {
   return [objects](const ExtremesRow& r) { return r.objects == objects; };
 }
 
-std::string missed(const ExtremesSum& s) { return digits3(s.missed_percent()); }
+std::string missed(const ExtremesSum& s) { return apps::digits3(s.missed_percent()); }
 
 ExtremesSum sum_of_bqr(const Extremes& e) {
   return sum(e, [](const ExtremesRow& r) { return r.way == "bqr"; });
@@ -36,37 +36,38 @@ std::string ways_md() {
        "float relative to the tree's origin"}};
   for (const baselines::NaiveWay& way : baselines::naive_ways())
     cells.push_back({std::string(way.slug), std::string(way.what), std::string(way.precision)});
-  return md_table(cells);
+  return apps::md_table(cells);
 }
 
 std::string missed_md(const Extremes& e) {
   std::string text = "### Missed, per cent of what is in view\n";
   for (const char* objects : {"any", "touching"}) {
     const auto which = of_sort(objects);
-    text += std::string(objects) + " objects, by place:\n\n" + md_table(pivot(e, which, by_place, missed));
+    text += std::string(objects) + " objects, by place:\n\n" + apps::md_table(pivot(e, which, by_place, missed));
     text += std::string(objects) + " objects, by near / far plane in metres:\n\n" +
-            md_table(pivot(e, which, by_depths, missed));
+            apps::md_table(pivot(e, which, by_depths, missed));
     text += std::string(objects) + " objects, by field of view in degrees:\n\n" +
-            md_table(pivot(e, which, by_field, missed));
+            apps::md_table(pivot(e, which, by_field, missed));
   }
-  text +=
-      "The deepest object missed, metres in view (any objects, by place):\n\n" +
-      md_table(pivot(e, of_sort("any"), by_place, [](const ExtremesSum& s) { return digits3(s.deepest_missed_m); }));
+  text += "The deepest object missed, metres in view (any objects, by place):\n\n" +
+          apps::md_table(pivot(e, of_sort("any"), by_place,
+                               [](const ExtremesSum& s) { return apps::digits3(s.deepest_missed_m); }));
   return text;
 }
 
 std::string kept_md(const Extremes& e) {
-  const auto kept = [](const ExtremesSum& s) { return digits3(s.falsely_kept_percent()); };
+  const auto kept = [](const ExtremesSum& s) { return apps::digits3(s.falsely_kept_percent()); };
   return "### Falsely kept, per cent of what is not in view (any objects)\nAll ways keep boxes that lie outside, "
          "beyond "
          "an edge of the view, but not wholly beyond one plane; what bqr keeps besides are its margins.\n\n" +
-         md_table(pivot(e, of_sort("any"), by_place, kept)) + md_table(pivot(e, of_sort("any"), by_depths, kept)) +
-         md_table(pivot(e, of_sort("any"), by_field, kept));
+         apps::md_table(pivot(e, of_sort("any"), by_place, kept)) +
+         apps::md_table(pivot(e, of_sort("any"), by_depths, kept)) +
+         apps::md_table(pivot(e, of_sort("any"), by_field, kept));
 }
 
 std::string off_text(const FarRow& r) {
   if (r.without == r.cameras) return "none";
-  const std::string off = digits3(r.inward_m) + " / " + digits3(r.outward_m);
+  const std::string off = apps::digits3(r.inward_m) + " / " + apps::digits3(r.outward_m);
   return r.without == 0 ? off : off + " (" + std::to_string(r.without) + " without)";
 }
 
@@ -81,7 +82,7 @@ std::string far_md(const Extremes& e, const std::string& place) {
     if (std::find(cells[0].begin(), cells[0].end(), depths) == cells[0].end()) cells[0].push_back(depths);
     (row == cells.end() ? cells.emplace_back(1, name) : *row).push_back(off_text(r));
   }
-  return md_table(cells);
+  return apps::md_table(cells);
 }
 
 /// What was measured when the margins were designed (numerics E1 and 2.1), and the same of this run.
@@ -129,10 +130,11 @@ std::string compared_md(const Extremes& e) {
   auto all = far_then_and_now(e);
   for (const Earlier& x : missed_then_and_now(e)) all.push_back(x);
   for (const Earlier& x : all)
-    cells.push_back({x.what, x.then, digits3(x.now), x.then_value > 0 ? digits3(x.now / x.then_value) : ""});
+    cells.push_back(
+        {x.what, x.then, apps::digits3(x.now), x.then_value > 0 ? apps::digits3(x.now / x.then_value) : ""});
   return "### Beside the first measurements\nThe margins were designed on the figures in the column *then* (numerics, "
          "E1 and 2.1): the worst of 20 cameras, and spheres of 5 to 80 m, 0.1 / 5000 m, 60 degrees.\n\n" +
-         md_table(cells) +
+         apps::md_table(cells) +
          "Where these differ: the far plane of a world matrix in float moves in steps of half an ulp of the eye's "
          "coordinates over 2n/f, so its worst displacement, and the share that is lost, depend on which cameras were "
          "drawn; and more are drawn here. Touching objects were balls then, and are boxes here: a box is outside when "
@@ -148,12 +150,12 @@ std::string compared_md(const Extremes& e) {
 std::vector<std::string> extremes_faults(const Extremes& e) {
   const ExtremesSum ours = sum_of_bqr(e);
   if (ours.missed == 0) return {};
-  return {"extremes: bqr missed " + grouped(ours.missed) + " objects"};
+  return {"extremes: bqr missed " + apps::grouped(ours.missed) + " objects"};
 }
 
 std::string extremes_md(const Extremes& e) {
   const ExtremesSum ours = sum_of_bqr(e);
-  return intro(e.options) + ways_md() + "bqr missed " + grouped(ours.missed) + " of " + grouped(ours.seen) +
+  return intro(e.options) + ways_md() + "bqr missed " + apps::grouped(ours.missed) + " of " + apps::grouped(ours.seen) +
          " objects in view.\n\n![what is missed](extremes.svg)\n\n" + missed_md(e) + kept_md(e) +
          "### The far plane that each way culls with\nToo near / too far, metres, the worst of " +
          std::to_string(e.far.empty() ? 0 : e.far.front().cameras) +

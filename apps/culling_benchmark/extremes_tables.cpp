@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "apps/culling_benchmark/csv.h"
-#include "apps/culling_benchmark/markdown.h"
+#include "apps/common/csv.h"
+#include "apps/common/markdown.h"
 #include "files/whole_file.h"
 
 namespace manzana::culling_benchmark {
@@ -13,30 +13,30 @@ namespace {
 
 using Row = ExtremesRow;
 constexpr std::array kRowColumns{
-    Column<Row>{"place", "", "of the eye", &Row::place},
-    Column<Row>{"near_m", "m", "near plane", &Row::near_m},
-    Column<Row>{"far_m", "m", "far plane; inf: none", &Row::far_m},
-    Column<Row>{"fovy_deg", "degrees", "field of view, along the height", &Row::fovy_deg},
-    Column<Row>{"way", "", "of culling", &Row::way},
-    Column<Row>{"precision", "", "that it computes in", &Row::precision},
-    Column<Row>{"objects", "", "any: evenly spread; touching: 1e-9 to 1e-1 m in view", &Row::objects},
-    Column<Row>{"asked", "", "objects asked about", &Row::asked},
-    Column<Row>{"seen", "", "of these exactly in view", &Row::seen},
-    Column<Row>{"missed", "", "in view but not in the answer", &Row::missed},
-    Column<Row>{"falsely_kept", "", "in the answer but not in view", &Row::falsely_kept},
-    Column<Row>{"deepest_missed_m", "m", "how far a missed object would have to move to leave the view",
-                &Row::deepest_missed_m},
+    apps::Column<Row>{"place", "", "of the eye", &Row::place},
+    apps::Column<Row>{"near_m", "m", "near plane", &Row::near_m},
+    apps::Column<Row>{"far_m", "m", "far plane; inf: none", &Row::far_m},
+    apps::Column<Row>{"fovy_deg", "degrees", "field of view, along the height", &Row::fovy_deg},
+    apps::Column<Row>{"way", "", "of culling", &Row::way},
+    apps::Column<Row>{"precision", "", "that it computes in", &Row::precision},
+    apps::Column<Row>{"objects", "", "any: evenly spread; touching: 1e-9 to 1e-1 m in view", &Row::objects},
+    apps::Column<Row>{"asked", "", "objects asked about", &Row::asked},
+    apps::Column<Row>{"seen", "", "of these exactly in view", &Row::seen},
+    apps::Column<Row>{"missed", "", "in view but not in the answer", &Row::missed},
+    apps::Column<Row>{"falsely_kept", "", "in the answer but not in view", &Row::falsely_kept},
+    apps::Column<Row>{"deepest_missed_m", "m", "how far a missed object would have to move to leave the view",
+                      &Row::deepest_missed_m},
 };
 constexpr std::array kFarColumns{
-    Column<FarRow>{"place", "", "of the eye", &FarRow::place},
-    Column<FarRow>{"near_m", "m", "near plane", &FarRow::near_m},
-    Column<FarRow>{"far_m", "m", "far plane as the camera has it", &FarRow::far_m},
-    Column<FarRow>{"way", "", "of culling", &FarRow::way},
-    Column<FarRow>{"precision", "", "of its matrices or planes", &FarRow::precision},
-    Column<FarRow>{"cameras", "", "asked", &FarRow::cameras},
-    Column<FarRow>{"without", "", "cameras whose far plane has no normal, or is left out", &FarRow::without},
-    Column<FarRow>{"inward_m", "m", "the far plane lies that much too near, at most", &FarRow::inward_m},
-    Column<FarRow>{"outward_m", "m", "the far plane lies that much too far, at most", &FarRow::outward_m},
+    apps::Column<FarRow>{"place", "", "of the eye", &FarRow::place},
+    apps::Column<FarRow>{"near_m", "m", "near plane", &FarRow::near_m},
+    apps::Column<FarRow>{"far_m", "m", "far plane as the camera has it", &FarRow::far_m},
+    apps::Column<FarRow>{"way", "", "of culling", &FarRow::way},
+    apps::Column<FarRow>{"precision", "", "of its matrices or planes", &FarRow::precision},
+    apps::Column<FarRow>{"cameras", "", "asked", &FarRow::cameras},
+    apps::Column<FarRow>{"without", "", "cameras whose far plane has no normal, or is left out", &FarRow::without},
+    apps::Column<FarRow>{"inward_m", "m", "the far plane lies that much too near, at most", &FarRow::inward_m},
+    apps::Column<FarRow>{"outward_m", "m", "the far plane lies that much too far, at most", &FarRow::outward_m},
 };
 
 std::size_t place_of(std::vector<std::string>& all, const std::string& name) {
@@ -85,14 +85,14 @@ std::vector<std::vector<std::string>> pivot(const Extremes& extremes, const Extr
 }
 
 std::string depths_text(double near_m, double far_m) {
-  return to_cell(near_m) + " / " + (std::isfinite(far_m) ? grouped(far_m) : "infinite");
+  return apps::to_cell(near_m) + " / " + (std::isfinite(far_m) ? apps::grouped(far_m) : "infinite");
 }
 
-std::string by_field(const ExtremesRow& row) { return to_cell(row.fovy_deg); }
+std::string by_field(const ExtremesRow& row) { return apps::to_cell(row.fovy_deg); }
 
 void write_extremes(const std::filesystem::path& folder, const Extremes& extremes) {
-  files::write_whole(folder / "extremes.csv", to_csv<ExtremesRow>(extremes.rows, kRowColumns));
-  files::write_whole(folder / "extremes_far.csv", to_csv<FarRow>(extremes.far, kFarColumns));
+  files::write_whole(folder / "extremes.csv", apps::to_csv<ExtremesRow>(extremes.rows, kRowColumns));
+  files::write_whole(folder / "extremes_far.csv", apps::to_csv<FarRow>(extremes.far, kFarColumns));
   files::write_whole(folder / "extremes.svg", extremes_svg(extremes));
 }
 

@@ -5,7 +5,7 @@
 namespace manzana::culling_benchmark {
 namespace {
 
-using C = Column<FrameRow>;
+using C = apps::Column<FrameRow>;
 
 const std::array kColumns{
     C{"frame", "", "of the flight, from 0", &FrameRow::frame},
@@ -17,7 +17,7 @@ const std::array kColumns{
 
 }  // namespace
 
-std::span<const Column<FrameRow>> frame_columns() { return kColumns; }
+std::span<const apps::Column<FrameRow>> frame_columns() { return kColumns; }
 
 std::vector<FrameRow> frame_table(const std::vector<Counts>& counts, const Plan& plan, const PairTimes& times) {
   std::vector<FrameRow> rows;
@@ -28,8 +28,8 @@ std::vector<FrameRow> frame_table(const std::vector<Counts>& counts, const Plan&
 }
 
 std::string to_csv(std::span<const FrameRow> rows) {
-  std::string csv = head_line(frame_columns());
-  for (const FrameRow& row : rows) csv += to_line(row, frame_columns());
+  std::string csv = apps::head_line(frame_columns());
+  for (const FrameRow& row : rows) csv += apps::to_line(row, frame_columns());
   return csv;
 }
 

@@ -4,11 +4,11 @@
 #include <cctype>
 #include <chrono>
 
+#include "apps/common/machine.h"
+#include "apps/common/statistics.h"
 #include "apps/culling_benchmark/conditions.h"
 #include "apps/culling_benchmark/frame_table.h"
-#include "apps/culling_benchmark/machine.h"
 #include "apps/culling_benchmark/rules.h"
-#include "apps/culling_benchmark/statistics.h"
 #include "apps/culling_benchmark/stock.h"
 #include "apps/culling_benchmark/truth.h"
 #include "culling/hash.h"
@@ -56,10 +56,10 @@ double seconds_for(const Options& options, const std::string& name, int process,
 void set_times(RunRow& row, const PairTimes& times, const Conditions& during) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < times.peer_us.size(); ++i) ratios.push_back(times.peer_us[i] / times.bqr_us[i]);
-  const Interval interval = median_interval(ratios);
-  row.median_us = median(times.peer_us);
-  row.bqr_us = median(times.bqr_us);
-  row.ratio = median_ratio(ratios);
+  const apps::Interval interval = apps::median_interval(ratios);
+  row.median_us = apps::median(times.peer_us);
+  row.bqr_us = apps::median(times.bqr_us);
+  row.ratio = apps::median_ratio(ratios);
   row.ratio_lo = interval.low;
   row.ratio_hi = interval.high;
   row.calibration_ms = during.calibration_ms;
@@ -149,7 +149,7 @@ class Measurer {
     const std::vector<Counts> counts = check(*peer.peer, work, given.truth);
     set_counts(row, sum(counts));
     time_until_clean(row, peer, work.info, counts);
-    row.date = now_utc();
+    row.date = apps::now_utc();
     return row;
   }
 
@@ -213,10 +213,10 @@ double expected_seconds(const Options& options, int process, std::span<const Run
 }
 
 RunRow expected_row(const Options& options, const std::string& case_name, std::string_view peer, int process) {
-  const Machine& machine = this_machine();
+  const apps::Machine& machine = apps::this_machine();
   RunRow row;
   row.commit = machine.commit;
-  row.machine = short_name(machine);
+  row.machine = apps::short_name(machine);
   row.mode = rules_of(options).mode;
   row.scene = scene_state(case_name);
   row.case_name = case_name;

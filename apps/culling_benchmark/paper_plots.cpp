@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "apps/culling_benchmark/gnuplot.h"
+#include "apps/common/gnuplot.h"
 #include "apps/culling_benchmark/paper_rows.h"
 #include "apps/culling_benchmark/paper_values.h"
 
 namespace manzana::paper {
 namespace {
 
-using culling_benchmark::Script;
-using culling_benchmark::to_cell;
+using apps::to_cell;
+using apps::Script;
 
 /// As in the paper: yellow without a structure, red the R-tree, blue the BqR-Tree.
 struct Line {
@@ -21,7 +21,7 @@ constexpr std::array kLines{Line{"none", kYellow}, Line{"vam-block8", kRed}, Lin
                             Line{"bqr-paper", kBlue}, Line{"bqr", "#17becf"}};
 
 std::string head(const std::string& name, const std::string& title) {
-  return culling_benchmark::gnuplot_head(name) + "set title " + culling_benchmark::in_quotes(title) +
+  return apps::gnuplot_head(name) + "set title " + apps::in_quotes(title) +
          " noenhanced\nset yrange [0:*]\nset rmargin 3\nset key outside center bottom horizontal\nset xlabel offset "
          "0,0.6\n";
 }
@@ -38,7 +38,7 @@ std::string data_line(const std::string& x, const std::vector<Value>& values) {
   std::string line = x;
   for (const Value& value : values) {
     line += ',';
-    line += value ? to_cell(*value) : "?";
+    line += value ? apps::to_cell(*value) : "?";
   }
   return line + "\n";
 }
@@ -49,8 +49,8 @@ Value time_over(const LaneCosts* lane, const LaneCosts* reference) {
 }
 
 /// Against the frame of the flight.
-Script flight_plot(const PaperRun& run, const char* name, const std::string& title, const char* axis,
-                   Quantity quantity) {
+apps::Script flight_plot(const PaperRun& run, const char* name, const std::string& title, const char* axis,
+                         Quantity quantity) {
   std::vector<const LaneCosts*> lanes;
   std::string curves;
   for (const Line& line : kLines) {
@@ -71,7 +71,7 @@ Script flight_plot(const PaperRun& run, const char* name, const std::string& tit
 }
 
 /// Triangles and time over those of C1.
-Script size_plot(const PaperRun& run) {
+apps::Script size_plot(const PaperRun& run) {
   const std::string name = "paper_fig8", title = "Figure 8: triangles and time over those of C1";
   const LaneCosts* c1 = find_lane(run, {"C1", "bqr-paper"});
   std::string data = "$data << END\n";
@@ -95,7 +95,7 @@ Script size_plot(const PaperRun& run) {
 }
 
 /// The paper's table 3 has only cars with levels of detail in figures; its figure 9 is a picture.
-Script cars_plot(const PaperRun& run) {
+apps::Script cars_plot(const PaperRun& run) {
   const std::string name = "paper_fig9", title = "Figure 9 and table 3: time a frame over that of C2 without cars";
   std::string data = "$data << END\n";
   for (const std::uint32_t cars : {100U, 1'000U, 10'000U}) {
@@ -122,8 +122,8 @@ Script cars_plot(const PaperRun& run) {
 
 }  // namespace
 
-std::vector<Script> paper_plots(const PaperRun& run) {
-  std::vector<Script> plots;
+std::vector<apps::Script> paper_plots(const PaperRun& run) {
+  std::vector<apps::Script> plots;
   if (find_lane(run, {"C2", "none"}) != nullptr) {
     plots.push_back(
         flight_plot(run, "paper_fig5", "Figure 5: time per frame of the flight, C2", "milliseconds", frame_ms));

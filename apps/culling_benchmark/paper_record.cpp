@@ -8,29 +8,29 @@
 namespace manzana::paper {
 namespace {
 
-using culling_benchmark::Column;
+using apps::Column;
 
 constexpr std::array kColumns{
-    Column<FrameRow>{"made_by", "", "commit and machine", &FrameRow::made_by},
-    Column<FrameRow>{"renderer", "", "of the GL", &FrameRow::renderer},
-    Column<FrameRow>{"seed", "", "of the city, its cars, and the order of measurement", &FrameRow::seed},
-    Column<FrameRow>{"frames", "", "of the flight", &FrameRow::frames},
-    Column<FrameRow>{"parts", "", "of it; frame i is of part i modulo parts", &FrameRow::parts},
-    Column<FrameRow>{"width", "pixels", "", &FrameRow::width},
-    Column<FrameRow>{"height", "pixels", "", &FrameRow::height},
-    Column<FrameRow>{"case", "", "the city", &FrameRow::case_name},
-    Column<FrameRow>{"peer", "", "the structure", &FrameRow::peer},
-    Column<FrameRow>{"residency", "", "which geometry stays on the device", &FrameRow::residency},
-    Column<FrameRow>{"attach", "", "when cars are attached to blocks", &FrameRow::attach},
-    Column<FrameRow>{"car_levels", "triangles", "of the levels of a car", &FrameRow::car_levels},
-    Column<FrameRow>{"cars", "", "that drive", &FrameRow::cars},
-    Column<FrameRow>{"city_triangles", "", "of all of the city", &FrameRow::city_triangles},
-    Column<FrameRow>{"frame", "", "of the flight, from 0", &FrameRow::frame},
-    Column<FrameRow>{"query_ms", "ms", "the structure's answer, and the cars of its blocks", &FrameRow::query_ms},
-    Column<FrameRow>{"submit_ms", "ms", "the GL calls, copies of geometry included", &FrameRow::submit_ms},
-    Column<FrameRow>{"draw_ms", "ms", "from the last GL call to the return of glFinish", &FrameRow::draw_ms},
-    Column<FrameRow>{"triangles", "", "submitted", &FrameRow::triangles},
-    Column<FrameRow>{"dirty", "", "1: other programs had the machine meanwhile", &FrameRow::dirty},
+    apps::Column<FrameRow>{"made_by", "", "commit and machine", &FrameRow::made_by},
+    apps::Column<FrameRow>{"renderer", "", "of the GL", &FrameRow::renderer},
+    apps::Column<FrameRow>{"seed", "", "of the city, its cars, and the order of measurement", &FrameRow::seed},
+    apps::Column<FrameRow>{"frames", "", "of the flight", &FrameRow::frames},
+    apps::Column<FrameRow>{"parts", "", "of it; frame i is of part i modulo parts", &FrameRow::parts},
+    apps::Column<FrameRow>{"width", "pixels", "", &FrameRow::width},
+    apps::Column<FrameRow>{"height", "pixels", "", &FrameRow::height},
+    apps::Column<FrameRow>{"case", "", "the city", &FrameRow::case_name},
+    apps::Column<FrameRow>{"peer", "", "the structure", &FrameRow::peer},
+    apps::Column<FrameRow>{"residency", "", "which geometry stays on the device", &FrameRow::residency},
+    apps::Column<FrameRow>{"attach", "", "when cars are attached to blocks", &FrameRow::attach},
+    apps::Column<FrameRow>{"car_levels", "triangles", "of the levels of a car", &FrameRow::car_levels},
+    apps::Column<FrameRow>{"cars", "", "that drive", &FrameRow::cars},
+    apps::Column<FrameRow>{"city_triangles", "", "of all of the city", &FrameRow::city_triangles},
+    apps::Column<FrameRow>{"frame", "", "of the flight, from 0", &FrameRow::frame},
+    apps::Column<FrameRow>{"query_ms", "ms", "the structure's answer, and the cars of its blocks", &FrameRow::query_ms},
+    apps::Column<FrameRow>{"submit_ms", "ms", "the GL calls, copies of geometry included", &FrameRow::submit_ms},
+    apps::Column<FrameRow>{"draw_ms", "ms", "from the last GL call to the return of glFinish", &FrameRow::draw_ms},
+    apps::Column<FrameRow>{"triangles", "", "submitted", &FrameRow::triangles},
+    apps::Column<FrameRow>{"dirty", "", "1: other programs had the machine meanwhile", &FrameRow::dirty},
 };
 
 FrameRow row_of(const PaperRun& run, const LaneCosts& costs, std::size_t frame, const std::string& made_by) {
@@ -78,7 +78,7 @@ bool part_is_whole(const PaperRun& run, int part) {
 
 }  // namespace
 
-std::span<const Column<FrameRow>> frame_columns() { return kColumns; }
+std::span<const apps::Column<FrameRow>> frame_columns() { return kColumns; }
 
 std::string text_of(Residency residency) {
   constexpr std::array kTexts{"re-sent", "cars resident", "resident"};
@@ -97,10 +97,10 @@ std::string text_of(std::span<const CarLevel> levels) {
 }
 
 std::string record(const PaperRun& run, const std::string& made_by) {
-  std::string text = culling_benchmark::head_line(frame_columns());
+  std::string text = apps::head_line(frame_columns());
   for (const LaneCosts& lane : run.lanes)
     for (std::size_t i = 0; i < lane.frames.size(); ++i)
-      if (lane.frames[i].measured) text += culling_benchmark::to_line(row_of(run, lane, i, made_by), frame_columns());
+      if (lane.frames[i].measured) text += apps::to_line(row_of(run, lane, i, made_by), frame_columns());
   return text;
 }
 
@@ -108,7 +108,7 @@ void restore(PaperRun& run, std::string_view text, const std::string& made_by) {
   std::map<FrameRow, FrameCost, Earlier> known;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    if (const auto row = culling_benchmark::from_line(text.substr(at, end - at), frame_columns())) {
+    if (const auto row = apps::from_line(text.substr(at, end - at), frame_columns())) {
       if (run.renderer.empty() && row->made_by == made_by) run.renderer = row->renderer;
       known[*row] = {true, row->query_ms, row->submit_ms, row->draw_ms, row->triangles, row->dirty != 0};
     }

@@ -6,7 +6,7 @@
 ///   std::string text = record(run, made_by);
 #include <span>
 
-#include "apps/culling_benchmark/csv.h"
+#include "apps/common/csv.h"
 #include "apps/culling_benchmark/paper.h"
 
 namespace manzana::paper {
@@ -19,7 +19,7 @@ struct FrameRow {
   double query_ms = 0, submit_ms = 0, draw_ms = 0;
   std::uint64_t triangles = 0, dirty = 0;
 };
-std::span<const culling_benchmark::Column<FrameRow>> frame_columns();
+std::span<const apps::Column<FrameRow>> frame_columns();
 
 /// made_by: what else must be equal for frames to stand for ones that would be measured now: commit, machine.
 std::string record(const PaperRun& run, const std::string& made_by);

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <array>
 
+#include "apps/common/statistics.h"
 #include "apps/culling_benchmark/paper_record.h"
 #include "apps/culling_benchmark/paper_values.h"
-#include "apps/culling_benchmark/statistics.h"
 
 namespace manzana::paper {
 namespace {
 
-using culling_benchmark::Column;
+using apps::Column;
 
 constexpr std::array kVams{"vam-block8", "vam-block6", "vam-block1"};
 
@@ -67,9 +67,9 @@ class RowMaker {
     for (int part = 0; part < run_.parts_done; ++part)
       ratios.push_back(part_sum(lane, quantity, part, run_.options.parts) /
                        part_sum(reference, quantity, part, run_.options.parts));
-    const auto interval = culling_benchmark::median_interval(ratios);
+    const auto interval = apps::median_interval(ratios);
     row.ratio = quantity == triangle_count ? mean(lane, quantity) / mean(reference, quantity)
-                                           : culling_benchmark::median_ratio(ratios);
+                                           : apps::median_ratio(ratios);
     row.ratio_to = ratio_to;
     row.reference = mean(reference, quantity);
     if (quantity != triangle_count) row.ratio_lo = interval.low, row.ratio_hi = interval.high;
@@ -180,30 +180,30 @@ void add_text(RowMaker& make) {
 }
 
 constexpr std::array kColumns{
-    Column<PaperRow>{"paper_table", "", "table 1, 2 or 3, figure 8 or 9, or the text of section 4.2",
-                     &PaperRow::paper_table},
-    Column<PaperRow>{"paper_row", "", "", &PaperRow::paper_row},
-    Column<PaperRow>{"quantity", "", "frame_ms: from the query to the return of glFinish", &PaperRow::quantity},
-    Column<PaperRow>{"case", "", "the city", &PaperRow::case_name},
-    Column<PaperRow>{"peer", "", "the structure", &PaperRow::peer},
-    Column<PaperRow>{"residency", "", "which geometry stays on the device", &PaperRow::residency},
-    Column<PaperRow>{"attach", "", "of cars to blocks", &PaperRow::attach},
-    Column<PaperRow>{"cars", "", "that drive", &PaperRow::cars},
-    Column<PaperRow>{"car_levels", "triangles", "of a car's levels", &PaperRow::car_levels},
-    Column<PaperRow>{"frames", "", "measured", &PaperRow::frames},
-    Column<PaperRow>{"parts", "", "of the flight; each gives a ratio", &PaperRow::parts},
-    Column<PaperRow>{"dirty", "", "parts during which other programs had the machine", &PaperRow::dirty},
-    Column<PaperRow>{"value", "quantity's", "mean over the frames", &PaperRow::value},
-    Column<PaperRow>{"ratio_to", "", "what the ratio's denominator is", &PaperRow::ratio_to},
-    Column<PaperRow>{"reference", "quantity's", "mean of that", &PaperRow::reference},
-    Column<PaperRow>{"ratio", "", "median over the parts; of triangles, of the means", &PaperRow::ratio},
-    Column<PaperRow>{"ratio_lo", "", "interval over the parts", &PaperRow::ratio_lo},
-    Column<PaperRow>{"ratio_hi", "", "", &PaperRow::ratio_hi},
-    Column<PaperRow>{"paper_value", "quantity's", "as printed; milliseconds of 2009", &PaperRow::paper_value},
-    Column<PaperRow>{"paper_ratio", "", "of the printed values", &PaperRow::paper_ratio},
-    Column<PaperRow>{"query_ms", "ms", "the structure's answer, and the cars of its blocks", &PaperRow::query_ms},
-    Column<PaperRow>{"submit_ms", "ms", "the GL calls, copies of geometry included", &PaperRow::submit_ms},
-    Column<PaperRow>{"draw_ms", "ms", "from the last GL call to the return of glFinish", &PaperRow::draw_ms},
+    apps::Column<PaperRow>{"paper_table", "", "table 1, 2 or 3, figure 8 or 9, or the text of section 4.2",
+                           &PaperRow::paper_table},
+    apps::Column<PaperRow>{"paper_row", "", "", &PaperRow::paper_row},
+    apps::Column<PaperRow>{"quantity", "", "frame_ms: from the query to the return of glFinish", &PaperRow::quantity},
+    apps::Column<PaperRow>{"case", "", "the city", &PaperRow::case_name},
+    apps::Column<PaperRow>{"peer", "", "the structure", &PaperRow::peer},
+    apps::Column<PaperRow>{"residency", "", "which geometry stays on the device", &PaperRow::residency},
+    apps::Column<PaperRow>{"attach", "", "of cars to blocks", &PaperRow::attach},
+    apps::Column<PaperRow>{"cars", "", "that drive", &PaperRow::cars},
+    apps::Column<PaperRow>{"car_levels", "triangles", "of a car's levels", &PaperRow::car_levels},
+    apps::Column<PaperRow>{"frames", "", "measured", &PaperRow::frames},
+    apps::Column<PaperRow>{"parts", "", "of the flight; each gives a ratio", &PaperRow::parts},
+    apps::Column<PaperRow>{"dirty", "", "parts during which other programs had the machine", &PaperRow::dirty},
+    apps::Column<PaperRow>{"value", "quantity's", "mean over the frames", &PaperRow::value},
+    apps::Column<PaperRow>{"ratio_to", "", "what the ratio's denominator is", &PaperRow::ratio_to},
+    apps::Column<PaperRow>{"reference", "quantity's", "mean of that", &PaperRow::reference},
+    apps::Column<PaperRow>{"ratio", "", "median over the parts; of triangles, of the means", &PaperRow::ratio},
+    apps::Column<PaperRow>{"ratio_lo", "", "interval over the parts", &PaperRow::ratio_lo},
+    apps::Column<PaperRow>{"ratio_hi", "", "", &PaperRow::ratio_hi},
+    apps::Column<PaperRow>{"paper_value", "quantity's", "as printed; milliseconds of 2009", &PaperRow::paper_value},
+    apps::Column<PaperRow>{"paper_ratio", "", "of the printed values", &PaperRow::paper_ratio},
+    apps::Column<PaperRow>{"query_ms", "ms", "the structure's answer, and the cars of its blocks", &PaperRow::query_ms},
+    apps::Column<PaperRow>{"submit_ms", "ms", "the GL calls, copies of geometry included", &PaperRow::submit_ms},
+    apps::Column<PaperRow>{"draw_ms", "ms", "from the last GL call to the return of glFinish", &PaperRow::draw_ms},
 };
 
 }  // namespace
@@ -216,11 +216,11 @@ std::string title_of(const std::string& peer) {
   return "VAMSplit, " + peer.substr(peer.size() - 1) + " blocks a page";
 }
 
-std::span<const Column<PaperRow>> paper_columns() { return kColumns; }
+std::span<const apps::Column<PaperRow>> paper_columns() { return kColumns; }
 
 std::string to_csv(std::span<const PaperRow> rows) {
-  std::string text = culling_benchmark::head_line(paper_columns());
-  for (const PaperRow& row : rows) text += culling_benchmark::to_line(row, paper_columns());
+  std::string text = apps::head_line(paper_columns());
+  for (const PaperRow& row : rows) text += apps::to_line(row, paper_columns());
   return text;
 }
 

@@ -4,7 +4,7 @@
 /// Ratios are what must agree: 2009's milliseconds were those of a GeForce 6800.
 #include <span>
 
-#include "apps/culling_benchmark/csv.h"
+#include "apps/common/csv.h"
 #include "apps/culling_benchmark/paper.h"
 
 namespace manzana::paper {
@@ -18,7 +18,7 @@ struct PaperRow {
   std::optional<double> reference, ratio, ratio_lo, ratio_hi, paper_value, paper_ratio, query_ms, submit_ms, draw_ms;
 };
 
-std::span<const culling_benchmark::Column<PaperRow>> paper_columns();
+std::span<const apps::Column<PaperRow>> paper_columns();
 std::string to_csv(std::span<const PaperRow> rows);
 
 /// In the order of the paper. What was not measured has no row.

@@ -6,9 +6,9 @@
 #include <memory>
 #include <sstream>
 
+#include "apps/common/child.h"
+#include "apps/common/machine.h"
 #include "apps/common/progress_bar.h"
-#include "apps/culling_benchmark/child.h"
-#include "apps/culling_benchmark/machine.h"
 #include "apps/culling_benchmark/paper_record.h"
 #include "apps/culling_benchmark/paper_text.h"
 #include "apps/culling_benchmark/rules.h"
@@ -31,7 +31,7 @@ paper::PaperOptions paper_options(const Options& options) {
   return chosen;
 }
 
-std::string made_by() { return this_machine().commit + ", " + short_name(this_machine()); }
+std::string made_by() { return apps::this_machine().commit + ", " + apps::short_name(apps::this_machine()); }
 
 std::string read_record(const Options& options) {
   std::ifstream in(options.out / kRecord, std::ios::binary);
@@ -47,7 +47,7 @@ std::string draw_in_child(const Options& options, const std::vector<std::string>
   command.emplace_back("--paper-process");
   apps::ProgressBar bar(stderr);
   std::string why;
-  const int code = run_child(command, [&](const std::string& line) {
+  const int code = apps::run_child(command, [&](const std::string& line) {
     if (line.starts_with("at ")) {
       const double done = std::stod(line.substr(3));
       const Besides left = besides(options);
@@ -62,7 +62,7 @@ std::string draw_in_child(const Options& options, const std::vector<std::string>
 }  // namespace
 
 void run_paper_process(const Options& options) {
-  end_with_parent();
+  apps::end_with_parent();
   std::unique_ptr<gl::HeadlessContext> context;
   try {
     context = std::make_unique<gl::HeadlessContext>();
@@ -101,8 +101,8 @@ std::string paper_section(const PaperPart& part, std::span<const std::string> pl
 }
 
 std::string paper_columns_md() {
-  return "\n## paper.csv\n" + explain(paper::paper_columns()) + "\n## paper_frames.csv\n" +
-         explain(paper::frame_columns());
+  return "\n## paper.csv\n" + apps::explain(paper::paper_columns()) + "\n## paper_frames.csv\n" +
+         apps::explain(paper::frame_columns());
 }
 
 }  // namespace manzana::culling_benchmark

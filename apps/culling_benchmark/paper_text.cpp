@@ -2,26 +2,29 @@
 
 #include <algorithm>
 
-#include "apps/culling_benchmark/markdown.h"
+#include "apps/common/markdown.h"
 #include "apps/culling_benchmark/paper_values.h"
 #include "gl/context.h"
 
 namespace manzana::paper {
 namespace {
 
-using culling_benchmark::digits3;
-using culling_benchmark::grouped;
+using apps::digits3;
+using apps::grouped;
 using Rows = std::vector<std::vector<std::string>>;
 
-std::string cell(const std::optional<double>& value) { return value ? digits3(*value) : ""; }
+std::string cell(const std::optional<double>& value) { return value ? apps::digits3(*value) : ""; }
 
 std::string interval(const PaperRow& row) {
   if (!row.ratio) return "";
-  return digits3(*row.ratio) +
-         (row.ratio_lo && row.parts > 1 ? " [" + digits3(*row.ratio_lo) + ", " + digits3(*row.ratio_hi) + "]" : "");
+  return apps::digits3(*row.ratio) + (row.ratio_lo && row.parts > 1 ? " [" + apps::digits3(*row.ratio_lo) + ", " +
+                                                                          apps::digits3(*row.ratio_hi) + "]"
+                                                                    : "");
 }
 
-std::string value(const PaperRow& row, double of) { return row.quantity == "triangles" ? grouped(of) : digits3(of); }
+std::string value(const PaperRow& row, double of) {
+  return row.quantity == "triangles" ? apps::grouped(of) : apps::digits3(of);
+}
 
 std::vector<std::string> cells(const PaperRow& row, bool parts) {
   std::vector<std::string> line{row.paper_row, value(row, row.value)};
@@ -40,7 +43,7 @@ std::string table(std::span<const PaperRow> rows, const std::string& which, cons
   lines[0].insert(lines[0].end(), {"over", "our ratio", "paper, " + unit, "paper's ratio"});
   for (const PaperRow& row : rows)
     if (row.paper_table == which && row.quantity == quantity) lines.push_back(cells(row, parts));
-  return lines.size() > 1 ? culling_benchmark::md_table(lines) : "";
+  return lines.size() > 1 ? apps::md_table(lines) : "";
 }
 
 /// One of the rows, by what it is of.
@@ -100,26 +103,26 @@ std::string table_2_text(const PaperRun& run, std::span<const PaperRow> rows) {
     };
     const PaperRow *over_8 = over("vam-block8", "frame_ms"), *over_6 = over("vam-block6", "frame_ms");
     if (over_8 == nullptr || over_6 == nullptr) continue;
-    times.push_back({name, digits3(over_8->value), digits3(*over_8->reference), digits3(*over_6->reference),
-                     interval(*over_8), interval(*over_6), cell(over_8->paper_value), digits3(1000 * city.vam_s),
-                     cell(over_8->paper_ratio), interval(*over("vam-block8", "triangles")),
-                     interval(*over("vam-block6", "triangles"))});
+    times.push_back({name, apps::digits3(over_8->value), apps::digits3(*over_8->reference),
+                     apps::digits3(*over_6->reference), interval(*over_8), interval(*over_6), cell(over_8->paper_value),
+                     apps::digits3(1000 * city.vam_s), cell(over_8->paper_ratio),
+                     interval(*over("vam-block8", "triangles")), interval(*over("vam-block6", "triangles"))});
     const PaperRow* time = find_row(rows, "8", name, "frame_ms", "C1");
     const PaperRow* sent = find_row(rows, "8", name, "triangles", "C1");
     if (time == nullptr || sent == nullptr) continue;
-    sizes.push_back({name, digits3(times_c1(run, name)), cell(city.times_c1), interval(*sent), interval(*time),
+    sizes.push_back({name, apps::digits3(times_c1(run, name)), cell(city.times_c1), interval(*sent), interval(*time),
                      cell(time->paper_ratio)});
   }
   std::string text =
       "### Table 2, figure 8: the six cities\nTime of a frame with the BqR-Tree of whole blocks and with the VAMSplit "
       "R-tree of 8 or 6 blocks a page, all geometry sent in every frame. *Over*: the one's time over the other's; in "
       "the last two columns its triangles.\n\n";
-  if (times.size() > 1) text += culling_benchmark::md_table(times);
+  if (times.size() > 1) text += apps::md_table(times);
   if (sizes.size() > 1)
     text += "Growth with the city, " + title_of("bqr-paper") +
             ": triangles of the whole city, triangles sent, and time, "
             "each over that of C1, beside the paper's:\n\n" +
-            culling_benchmark::md_table(sizes);
+            apps::md_table(sizes);
   return text;
 }
 
@@ -127,7 +130,7 @@ std::string cars_text(std::span<const PaperRow> rows) {
   std::string levels;
   for (const CarLevel& level : kFiveLevels) {
     levels += (levels.empty() ? "" : ", ") + std::to_string(level.triangles) + " triangles from " +
-              digits3(level.min_radius_px) + " pixels";
+              apps::digits3(level.min_radius_px) + " pixels";
   }
   return "### Table 3, figure 9: cars\nCars of 387 triangles at 10 m/s on the half-streets of C2, each of the block on "
          "its right.\n\n" +
@@ -145,30 +148,30 @@ std::string grain_table(const GrainTable& grains) {
   for (std::size_t city = 0; city < grains.size(); ++city) {
     const GrainCounts& counts = grains[city];
     lines[0].emplace_back(kPaperCities[city].name);
-    lines[1].push_back(digits3(over(counts.bqr, counts.none)));
+    lines[1].push_back(apps::digits3(over(counts.bqr, counts.none)));
     for (std::size_t p = 0; p < counts.vam.size(); ++p)
-      lines[p + 2].push_back(digits3(over(counts.bqr, counts.vam[p])));
+      lines[p + 2].push_back(apps::digits3(over(counts.bqr, counts.vam[p])));
   }
-  return culling_benchmark::md_table(lines);
+  return apps::md_table(lines);
 }
 
 std::string grain_text(const GrainTable& grains) {
   const GrainCounts& c2 = grains[1];
   const double paper = kPaperBqr.triangles / kPaperVam.triangles;
   std::string text =
-      "- **The headline is one of grain.** The paper's BqR-Tree sends " + digits3(paper) +
+      "- **The headline is one of grain.** The paper's BqR-Tree sends " + apps::digits3(paper) +
       " of the triangles of its VAMSplit R-tree, and the paper does not say how many blocks are in a page "
       "of that. On C2 here it is " +
-      digits3(over(c2.bqr, c2.vam[0])) + " with one block a page, ";
+      apps::digits3(over(c2.bqr, c2.vam[0])) + " with one block a page, ";
   for (const std::size_t p : {3, 4})
-    text += digits3(over(c2.bqr, c2.vam[p])) + " with " + std::to_string(kPageBlocks[p]) + ", ";
+    text += apps::digits3(over(c2.bqr, c2.vam[p])) + " with " + std::to_string(kPageBlocks[p]) + ", ";
   const auto enough =
       std::find_if(c2.vam.begin(), c2.vam.end(), [&](std::uint64_t vam) { return over(c2.bqr, vam) <= paper; });
   if (enough != c2.vam.end())
     text += "and no more than the paper's with " +
             std::to_string(kPageBlocks[static_cast<std::size_t>(enough - c2.vam.begin())]);
   else
-    text += "and nearest to the paper's, " + digits3(over(c2.bqr, c2.vam.back())) + ", with " +
+    text += "and nearest to the paper's, " + apps::digits3(over(c2.bqr, c2.vam.back())) + ", with " +
             std::to_string(kPageBlocks.back());
   text += ". So the pages alone make the difference";
   if (std::abs(over(c2.bqr, c2.vam[0]) - 1) < 0.02) text += "; at the same grain there is none";
@@ -191,14 +194,14 @@ std::string cost_text(const PaperRun& run) {
   if (none == nullptr || bqr == nullptr) return "";
   const double ms_none = mean(*none, frame_ms), ms_bqr = mean(*bqr, frame_ms);
   const double all = mean(*none, triangle_count), kept = mean(*bqr, triangle_count);
-  return "- **Time falls less than triangles.** With all resident a frame of C2 takes " + digits3(ms_bqr / ms_none) +
-         " of the time without a structure, for " + digits3(kept / all) +
-         " of the triangles (paper: " + digits3(kPaperBqr.seconds / kPaperNone.seconds) + " for " +
-         digits3(kPaperBqr.triangles / kPaperNone.triangles) + "). A triangle that is kept back would have cost " +
-         digits3(1e6 * (ms_none - ms_bqr) / (all - kept)) + " ns on this device, one that is drawn costs " +
-         digits3(1e6 * ms_bqr / kept) + " ns with its pixels. The paper's averages are " +
-         digits3(1000 * paper_line().fixed_s) + " ms and " + digits3(1e9 * paper_line().triangle_s) +
-         " ns for each triangle that is sent.\n";
+  return "- **Time falls less than triangles.** With all resident a frame of C2 takes " +
+         apps::digits3(ms_bqr / ms_none) + " of the time without a structure, for " + apps::digits3(kept / all) +
+         " of the triangles (paper: " + apps::digits3(kPaperBqr.seconds / kPaperNone.seconds) + " for " +
+         apps::digits3(kPaperBqr.triangles / kPaperNone.triangles) +
+         "). A triangle that is kept back would have cost " + apps::digits3(1e6 * (ms_none - ms_bqr) / (all - kept)) +
+         " ns on this device, one that is drawn costs " + apps::digits3(1e6 * ms_bqr / kept) +
+         " ns with its pixels. The paper's averages are " + apps::digits3(1000 * paper_line().fixed_s) + " ms and " +
+         apps::digits3(1e9 * paper_line().triangle_s) + " ns for each triangle that is sent.\n";
 }
 
 /// A line through the paper's times of C1 and C2, and how far the other cities are from it.
@@ -209,11 +212,11 @@ std::string growth_text(const PaperRun& run, std::span<const PaperRow> rows) {
   for (const PaperCity& city : kPaperCities)
     farthest =
         std::max(farthest, std::abs((fixed + slope * city.times_c1.value_or(*c2.times_c1 + 1)) / city.bqr_s - 1));
-  std::string text = "- **Growth.** The paper's times grow less than its cities. " + digits3(1000 * fixed) +
-                     " ms and " + digits3(1000 * slope) + " ms for each C1 of triangles give all six of them to " +
-                     digits3(100 * farthest) +
+  std::string text = "- **Growth.** The paper's times grow less than its cities. " + apps::digits3(1000 * fixed) +
+                     " ms and " + apps::digits3(1000 * slope) +
+                     " ms for each C1 of triangles give all six of them to " + apps::digits3(100 * farthest) +
                      " %: a cost that does not grow with the city would be enough. Its table 1 has only " +
-                     digits3(1000 * paper_line().fixed_s) + " ms of that, so the triangles of C1 cost more each.";
+                     apps::digits3(1000 * paper_line().fixed_s) + " ms of that, so the triangles of C1 cost more each.";
   const PaperRow* time = find_row(rows, "8", "C6", "frame_ms", "C1");
   const PaperRow* sent = find_row(rows, "8", "C6", "triangles", "C1");
   if (time != nullptr && sent != nullptr)

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "apps/common/machine.h"
+#include "apps/common/markdown.h"
 #include "apps/culling_benchmark/catalogue.h"
-#include "apps/culling_benchmark/machine.h"
-#include "apps/culling_benchmark/markdown.h"
 #include "apps/culling_benchmark/plots.h"
 #include "apps/culling_benchmark/report_goals.h"
 #include "apps/culling_benchmark/report_growth.h"
@@ -25,7 +25,7 @@ constexpr const char* kAbout =
     "other tables beside this file; columns.md explains them.\n\n";
 
 std::string head_text(const Options& options) {
-  const Machine& m = this_machine();
+  const apps::Machine& m = apps::this_machine();
   const Rows rows{{"", "what"},
                   {"processor", m.processor},
                   {"caches", m.caches},
@@ -34,7 +34,7 @@ std::string head_text(const Options& options) {
                   {"compiler", m.compiler},
                   {"vector instructions of bqr", m.simd},
                   {"commit", m.commit},
-                  {"finished", now_utc()},
+                  {"finished", apps::now_utc()},
                   {"seed", std::to_string(options.seed)}};
   std::string text = "# Culling benchmark\n" + std::string(kAbout) + "| " + rows[0][0] + " | |\n|---|---|\n";
   for (std::size_t i = 1; i < rows.size(); ++i) text += "| " + rows[i][0] + " | " + rows[i][1] + " |\n";
@@ -52,8 +52,8 @@ std::string verdict_text(std::span<const SummaryRow> table, std::span<const std:
     answers += s.frames.value_or(0);
     objects += s.exact.value_or(0);
   }
-  return "No object was missed: " + grouped(static_cast<double>(answers)) + " answers were checked, " +
-         grouped(static_cast<double>(objects)) + " objects in view.\n\n";
+  return "No object was missed: " + apps::grouped(static_cast<double>(answers)) + " answers were checked, " +
+         apps::grouped(static_cast<double>(objects)) + " objects in view.\n\n";
 }
 
 struct Doubts {
@@ -109,7 +109,7 @@ std::string how_text(const Options& options, std::span<const SummaryRow> table) 
 }
 
 std::string interval(const SummaryRow& s) {
-  return digits3(*s.ratio) + " [" + digits3(*s.ratio_lo) + ", " + digits3(*s.ratio_hi) + "]";
+  return apps::digits3(*s.ratio) + " [" + apps::digits3(*s.ratio_lo) + ", " + apps::digits3(*s.ratio_hi) + "]";
 }
 
 /// "Faster" needs the whole interval on one side.
@@ -127,14 +127,14 @@ std::vector<std::string> cells(const SummaryRow& s) {
   const double frames = static_cast<double>(*s.frames), exact = static_cast<double>(*s.exact);
   return {s.peer,
           s.grain,
-          digits3(*s.median_us),
+          apps::digits3(*s.median_us),
           interval(s),
           finding(s),
-          exact > 0 ? to_cell(static_cast<double>(*s.accepted) / exact) : "-",
+          exact > 0 ? apps::to_cell(static_cast<double>(*s.accepted) / exact) : "-",
           *s.missed > 0 ? "**" + std::to_string(*s.missed) + "**" : "0",
-          grouped(static_cast<double>(*s.triangles) / frames),
-          digits3(*s.build_ms),
-          digits3(static_cast<double>(*s.bytes) / 1e6),
+          apps::grouped(static_cast<double>(*s.triangles) / frames),
+          apps::digits3(*s.build_ms),
+          apps::digits3(static_cast<double>(*s.bytes) / 1e6),
           std::to_string(*s.processes) + " x " + std::to_string(*s.pairs) + " x " + std::to_string(*s.timed_frames) +
               (*s.dirty > 0 ? ", " + std::to_string(*s.dirty) + " dirty" : "")};
 }
@@ -145,7 +145,7 @@ std::string structures_text(const Options& options) {
   rows.push_back(
       {kSmallerCity, "beside 1M-1km: " + std::string(peer_info(kSmallerCity)->what) + ", on " + kSmallerCase});
   return "## The structures\nAll are asked with the same views, in double, and answer with runs of objects.\n\n" +
-         md_table(rows);
+         apps::md_table(rows);
 }
 
 std::string image(std::span<const std::string> plots, const std::string& name) {
@@ -161,10 +161,10 @@ std::string case_text(std::span<const SummaryRow> table, const std::string& name
   for (const SummaryRow& s : table)
     if (s.case_name == name) rows.push_back(cells(s));
   if (const SummaryRow* bqr = find_row(table, name, "bqr"))
-    text += grouped(static_cast<double>(*bqr->objects)) + " objects in " + grouped(static_cast<double>(*bqr->blocks)) +
-            " blocks, " + std::to_string(*bqr->frames) + " frames." +
+    text += apps::grouped(static_cast<double>(*bqr->objects)) + " objects in " +
+            apps::grouped(static_cast<double>(*bqr->blocks)) + " blocks, " + std::to_string(*bqr->frames) + " frames." +
             (is_from_file(name) ? " Data \u00a9 OpenStreetMap contributors." : "");
-  return text + "\n\n" + md_table(rows) + image(plots, path_plot_name(name));
+  return text + "\n\n" + apps::md_table(rows) + image(plots, path_plot_name(name));
 }
 
 }  // namespace

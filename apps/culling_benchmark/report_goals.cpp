@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "apps/common/markdown.h"
 #include "apps/culling_benchmark/catalogue.h"
 #include "apps/culling_benchmark/goals.h"
-#include "apps/culling_benchmark/markdown.h"
 
 namespace manzana::culling_benchmark {
 namespace {
@@ -39,7 +39,8 @@ std::string met(double low, double value, double high, double most) {
 /// bqr's time over the row's: what is reached, and whether that is enough.
 std::vector<std::string> reached(const std::string& what, const SummaryRow& row, double most) {
   const double low = 1 / *row.ratio_hi, value = 1 / *row.ratio, high = 1 / *row.ratio_lo;
-  return {what, "<= " + digits3(most), digits3(value) + " [" + digits3(low) + ", " + digits3(high) + "]",
+  return {what, "<= " + apps::digits3(most),
+          apps::digits3(value) + " [" + apps::digits3(low) + ", " + apps::digits3(high) + "]",
           met(low, value, high, most)};
 }
 
@@ -52,7 +53,7 @@ void add_ratios(Rows& rows, Table table) {
     const auto rival = over_linear(table, goal);
     for (const double value :
          rival ? std::array{rival->known, rival->here, 1 / (*linear->ratio * rival->known)} : std::array{0.0, 0.0, 0.0})
-      rows.back().push_back(rival ? digits3(value) : "");
+      rows.back().push_back(rival ? apps::digits3(value) : "");
   }
 }
 
@@ -69,8 +70,8 @@ void add_answers(Rows& rows, Table table) {
     if (*s.exact > 0) worst = std::max(worst, static_cast<double>(*s.accepted) / static_cast<double>(*s.exact));
     missed += *s.missed;
   }
-  rows.push_back({"all cases: bqr accepted / exact, the worst", "<= " + to_cell(kMostAccepted), to_cell(worst),
-                  worst <= kMostAccepted ? "met" : "**not met**"});
+  rows.push_back({"all cases: bqr accepted / exact, the worst", "<= " + apps::to_cell(kMostAccepted),
+                  apps::to_cell(worst), worst <= kMostAccepted ? "met" : "**not met**"});
   rows.push_back(
       {"all cases: objects that bqr missed", "0", std::to_string(missed), missed == 0 ? "met" : "**not met**"});
 }
@@ -87,7 +88,8 @@ std::string quicker_text(Table table) {
       most = std::max(most, rival->here / rival->known);
     }
     if (most > 0)
-      text += (text.empty() ? "" : ", ") + std::string(peer) + " " + digits3(least) + " to " + digits3(most);
+      text +=
+          (text.empty() ? "" : ", ") + std::string(peer) + " " + apps::digits3(least) + " to " + apps::digits3(most);
   }
   return text.empty() ? "" : "Here over known, of all cases: " + text + " times.\n";
 }
@@ -97,8 +99,8 @@ std::string linear_text(Table table) {
   for (const Known& known : known_rivals()) {
     const SummaryRow* linear = find_row(table, known.case_name, "linear-simd");
     if (known.peer != "linear" || linear == nullptr) continue;
-    text += (text.empty() ? "" : ", ") + std::string(known.case_name) + " " + digits3(*linear->median_us) + " us (" +
-            digits3(known.linear_simd_us) + ")";
+    text += (text.empty() ? "" : ", ") + std::string(known.case_name) + " " + apps::digits3(*linear->median_us) +
+            " us (" + apps::digits3(known.linear_simd_us) + ")";
   }
   return text.empty() ? "" : "linear-simd itself takes here (took there): " + text + ".\n";
 }
@@ -137,20 +139,20 @@ std::string goals_text(Table table) {
          "take, in another program; a rival that is quicker here makes its goal harder by as much. So each row has "
          "the rival's time over linear-simd's, *known* and *here*, and last what bqr would reach against the rival as "
          "it was known: bqr over linear-simd, here, divided by *known*.\n\n" +
-         md_table(rows) + as_known_text(table) + quicker_text(table) + linear_text(table) + "\n";
+         apps::md_table(rows) + as_known_text(table) + quicker_text(table) + linear_text(table) + "\n";
 }
 
 std::string rivals_text(Table table) {
   Rows rows{{"time over linear-simd's", "known", "here", "at most 1.3 times as slow"}};
   for (const Known& known : known_rivals())
     if (const auto rival = over_linear(table, known))
-      rows.push_back({std::string(known.case_name) + ": " + std::string(known.peer), digits3(rival->known),
-                      digits3(rival->here), rival->here <= kSlowest * rival->known ? "yes" : "**no**"});
+      rows.push_back({std::string(known.case_name) + ": " + std::string(known.peer), apps::digits3(rival->known),
+                      apps::digits3(rival->here), rival->here <= kSlowest * rival->known ? "yes" : "**no**"});
   if (rows.size() == 1) return {};
   return "## Whether the rivals are at their best\nA figure counts only against a rival that is as quick as it can be: "
          "its time over that of linear-simd, here and where it was measured by itself. Rivals are compiled for the "
          "machine at hand (-march=native), bqr is not: it chooses its instructions when it runs.\n\n" +
-         md_table(rows);
+         apps::md_table(rows);
 }
 
 }  // namespace manzana::culling_benchmark

@@ -1,7 +1,7 @@
 #include "apps/culling_benchmark/report_growth.h"
 
+#include "apps/common/markdown.h"
 #include "apps/culling_benchmark/growth.h"
-#include "apps/culling_benchmark/markdown.h"
 #include "apps/culling_benchmark/plots.h"
 
 namespace manzana::culling_benchmark {
@@ -21,9 +21,10 @@ Kind kind_of(std::span<const SummaryRow> table, bool all_in_view, bool cold, int
 std::string cell(std::span<const SummaryRow> table, const Growth& growth, std::string_view peer) {
   const SummaryRow* row = find_row(table, growth.name, peer);
   if (row == nullptr) return "";
-  const std::string us = digits3(*row->median_us);
+  const std::string us = apps::digits3(*row->median_us);
   if (peer == "bqr") return us;
-  return us + " (" + digits3(*row->ratio) + " [" + digits3(*row->ratio_lo) + ", " + digits3(*row->ratio_hi) + "])";
+  return us + " (" + apps::digits3(*row->ratio) + " [" + apps::digits3(*row->ratio_lo) + ", " +
+         apps::digits3(*row->ratio_hi) + "])";
 }
 
 std::string kind_text(std::span<const SummaryRow> table, const char* title, const Kind& kind) {
@@ -32,12 +33,12 @@ std::string kind_text(std::span<const SummaryRow> table, const char* title, cons
   for (const std::string_view peer : growth_peers()) rows[0].emplace_back(peer);
   rows[0].emplace_back("accepted a frame");
   for (const Growth* growth : kind) {
-    rows.push_back({grouped(growth->objects)});
+    rows.push_back({apps::grouped(growth->objects)});
     for (const std::string_view peer : growth_peers()) rows.back().push_back(cell(table, *growth, peer));
     const SummaryRow& bqr = *find_row(table, growth->name, "bqr");
-    rows.back().push_back(grouped(static_cast<double>(*bqr.accepted) / static_cast<double>(*bqr.frames)));
+    rows.back().push_back(apps::grouped(static_cast<double>(*bqr.accepted) / static_cast<double>(*bqr.frames)));
   }
-  return std::string(title) + "\n\n" + md_table(rows);
+  return std::string(title) + "\n\n" + apps::md_table(rows);
 }
 
 std::string data_block(std::span<const SummaryRow> table, const char* name, const Kind& kind) {
@@ -47,7 +48,7 @@ std::string data_block(std::span<const SummaryRow> table, const char* name, cons
     for (const std::string_view peer : growth_peers()) {
       const SummaryRow* row = find_row(table, growth->name, peer);
       text += ',';
-      text += row != nullptr ? to_cell(*row->median_us) : "?";
+      text += row != nullptr ? apps::to_cell(*row->median_us) : "?";
     }
     text += '\n';
   }
@@ -83,7 +84,7 @@ std::string growth_text(std::span<const SummaryRow> table) {
          text;
 }
 
-std::vector<Script> growth_plots(std::span<const SummaryRow> table) {
+std::vector<apps::Script> growth_plots(std::span<const SummaryRow> table) {
   const Kind all = kind_of(table, true, false, 1), near = kind_of(table, false, false, 1),
              cold = kind_of(table, false, true, 1);
   if (all.size() < 2 || near.size() < 2) return {};
@@ -91,14 +92,14 @@ std::vector<Script> growth_plots(std::span<const SummaryRow> table) {
   add_curves(of_all, table, "all", all, false);
   add_curves(of_near, table, "near", near, false);
   add_curves(of_near, table, "cold", cold, true);
-  return {{"growth", gnuplot_head("growth") + data_block(table, "all", all) + data_block(table, "near", near) +
+  return {{"growth", apps::gnuplot_head("growth") + data_block(table, "all", all) + data_block(table, "near", near) +
                          data_block(table, "cold", cold) +
                          "set multiplot layout 2,1 title 'How the cost grows'\nset rmargin 24\nset xrange "
                          "[1000:*]\nset logscale xy\nset format y '%g'\n"
                          "set format x '10^{%L}'\nset xlabel 'objects in the city'\n"
                          "set ylabel 'microseconds, all in view'\n" +
-                         plot_command(of_all) + "set ylabel 'microseconds, seen to 1 km'\n" + plot_command(of_near) +
-                         "unset multiplot\n"}};
+                         apps::plot_command(of_all) + "set ylabel 'microseconds, seen to 1 km'\n" +
+                         apps::plot_command(of_near) + "unset multiplot\n"}};
 }
 
 }  // namespace manzana::culling_benchmark

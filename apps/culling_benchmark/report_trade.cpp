@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "apps/culling_benchmark/markdown.h"
+#include "apps/common/markdown.h"
 #include "apps/culling_benchmark/trade.h"
 
 namespace manzana::culling_benchmark {
@@ -29,8 +29,8 @@ double too_many(const SummaryRow& row) {
 std::string cell(std::span<const SummaryRow> table, const std::string& place, const std::string& slug) {
   const SummaryRow* row = find_row(table, place, slug);
   if (row == nullptr) return "";
-  const std::string text =
-      digits3(*row->median_us) + " us, " + digits3(*row->ratio) + " x, " + digits3(too_many(*row)) + " %";
+  const std::string text = apps::digits3(*row->median_us) + " us, " + apps::digits3(*row->ratio) + " x, " +
+                           apps::digits3(too_many(*row)) + " %";
   return (slug != "bqr" && on_front(table, *row) ? "**" + text + "**" : text) +
          (*row->missed > 0 ? ", MISSED " + std::to_string(*row->missed) : "");
 }
@@ -44,7 +44,7 @@ std::string place_text(std::span<const SummaryRow> table, const TradePlace& plac
     for (const Mark& precision : kPrecisions)
       rows.back().push_back(cell(table, place.name, slug_of(volume, precision)));
   }
-  return place.what + ":\n\n" + md_table(rows) + "bqr: " + cell(table, place.name, "bqr") + "\n\n";
+  return place.what + ":\n\n" + apps::md_table(rows) + "bqr: " + cell(table, place.name, "bqr") + "\n\n";
 }
 
 /// A row a volume: times bqr's and percent for each precision.
@@ -56,20 +56,21 @@ std::string data_block(std::span<const SummaryRow> table, const TradePlace& plac
     for (const Mark& precision : kPrecisions) {
       const SummaryRow* row = find_row(table, place.name, slug_of(volume, precision));
       text += ',';
-      text += row != nullptr ? to_cell(*row->ratio) + "," + to_cell(std::max(too_many(*row), kLeast)) : "?,?";
+      text +=
+          row != nullptr ? apps::to_cell(*row->ratio) + "," + apps::to_cell(std::max(too_many(*row), kLeast)) : "?,?";
     }
     text += '\n';
   }
   return text + "END\n";
 }
 
-Script place_plot(std::span<const SummaryRow> table, const TradePlace& place) {
+apps::Script place_plot(std::span<const SummaryRow> table, const TradePlace& place) {
   std::vector<std::string> parts;
   for (std::size_t p = 0; p < kPrecisions.size(); ++p) {
     const std::string columns = std::to_string(2 * p + 2) + ":" + std::to_string(2 * p + 3);
-    const std::string colour = " lc rgb " + in_quotes(kPrecisions[p].gnuplot);
+    const std::string colour = " lc rgb " + apps::in_quotes(kPrecisions[p].gnuplot);
     parts.push_back("$points using " + columns + " with lines lw 1.5" + colour + " title " +
-                    in_quotes(kPrecisions[p].name));
+                    apps::in_quotes(kPrecisions[p].name));
     for (std::size_t v = 0; v < kVolumes.size(); ++v) {
       const std::string row = std::to_string(v);
       parts.push_back("$points every ::" + row + "::" + row + " using " + columns + " with points ps 1.5 " +
@@ -78,12 +79,13 @@ Script place_plot(std::span<const SummaryRow> table, const TradePlace& place) {
   }
   for (const Mark& volume : kVolumes)
     parts.push_back("keyentry with points ps 1.5 lc rgb 'black' " + std::string(volume.gnuplot) + " title " +
-                    in_quotes(volume.name));
-  return {place.name, gnuplot_head(place.name) + data_block(table, place) + "set title " + in_quotes(place.what) +
+                    apps::in_quotes(volume.name));
+  return {place.name, apps::gnuplot_head(place.name) + data_block(table, place) + "set title " +
+                          apps::in_quotes(place.what) +
                           "\nset logscale xy\nset format y '%g'\nset xlabel 'time of a query that asks object by "
                           "object, over that of bqr'\n"
                           "set ylabel 'percent accepted too many (0.001: or fewer)'\nset yrange [0.0007:*]\n" +
-                          plot_command(parts)};
+                          apps::plot_command(parts)};
 }
 
 }  // namespace
@@ -121,8 +123,8 @@ std::vector<SummaryRow> trade_front(std::span<const SummaryRow> table) {
   return front;
 }
 
-std::vector<Script> trade_plots(std::span<const SummaryRow> table) {
-  std::vector<Script> scripts;
+std::vector<apps::Script> trade_plots(std::span<const SummaryRow> table) {
+  std::vector<apps::Script> scripts;
   for (const TradePlace& place : trade_places())
     if (find_row(table, place.name, "bqr") != nullptr) scripts.push_back(place_plot(table, place));
   return scripts;

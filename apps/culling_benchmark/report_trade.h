@@ -2,14 +2,14 @@
 /// The part of the report on speed for accuracy. Empty when none was measured.
 #include <span>
 
-#include "apps/culling_benchmark/gnuplot.h"
+#include "apps/common/gnuplot.h"
 #include "apps/culling_benchmark/summary.h"
 
 namespace manzana::culling_benchmark {
 
 std::string trade_text(std::span<const SummaryRow> table);
 /// The place's name: false positives against time.
-std::vector<Script> trade_plots(std::span<const SummaryRow> table);
+std::vector<apps::Script> trade_plots(std::span<const SummaryRow> table);
 
 /// front.csv: the rows that are on the front, with all columns of summary.csv.
 std::vector<SummaryRow> trade_front(std::span<const SummaryRow> table);

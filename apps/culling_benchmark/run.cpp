@@ -4,9 +4,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "apps/common/child.h"
 #include "apps/common/progress_bar.h"
 #include "apps/culling_benchmark/catalogue.h"
-#include "apps/culling_benchmark/child.h"
 #include "apps/culling_benchmark/measure.h"
 #include "apps/culling_benchmark/rules.h"
 #include "files/whole_file.h"
@@ -81,7 +81,7 @@ class Parent {
     std::vector<std::string> command{"/proc/self/exe"};
     command.insert(command.end(), arguments_.begin(), arguments_.end());
     command.insert(command.end(), {"--process", std::to_string(process)});
-    const int code = run_child(command, [&](const std::string& line) { hear(line); });
+    const int code = apps::run_child(command, [&](const std::string& line) { hear(line); });
     if (code == 1) throw std::runtime_error("process " + std::to_string(process) + " failed");
     if (code != 0)
       throw std::runtime_error("process " + std::to_string(process) + " ended with " + std::to_string(code));
@@ -90,7 +90,7 @@ class Parent {
 
   void hear(const std::string& line) {
     if (line.starts_with(kRow)) {
-      if (auto row = from_line(std::string_view(line).substr(4), run_columns())) keep(*std::move(row));
+      if (auto row = apps::from_line(std::string_view(line).substr(4), run_columns())) keep(*std::move(row));
     } else if (line.starts_with(kProgress)) {
       std::istringstream in(line.substr(3));
       double fraction = 0, seconds_left = 0;
@@ -120,9 +120,9 @@ std::vector<RunRow> run_all(const Options& options, const std::vector<std::strin
 }
 
 void run_process(const Options& options) {
-  end_with_parent();
+  apps::end_with_parent();
   const Tell tell{[](const RunRow& row) {
-                    std::printf("%s%s", kRow, to_line(row, run_columns()).c_str());
+                    std::printf("%s%s", kRow, apps::to_line(row, run_columns()).c_str());
                     std::fflush(stdout);
                   },
                   [](const std::string& stage, double fraction, double seconds_left) {

@@ -7,7 +7,7 @@
 namespace manzana::culling_benchmark {
 namespace {
 
-using C = Column<RunRow>;
+using C = apps::Column<RunRow>;
 using R = RunRow;
 
 const std::array kColumns{
@@ -47,7 +47,7 @@ const std::array kColumns{
 
 }  // namespace
 
-std::span<const Column<RunRow>> run_columns() { return kColumns; }
+std::span<const apps::Column<RunRow>> run_columns() { return kColumns; }
 
 bool same_measurement(const RunRow& a, const RunRow& b) {
   const auto key = [](const RunRow& r) {
@@ -57,8 +57,8 @@ bool same_measurement(const RunRow& a, const RunRow& b) {
 }
 
 std::string to_csv(std::span<const RunRow> rows) {
-  std::string csv = head_line(run_columns());
-  for (const RunRow& row : rows) csv += to_line(row, run_columns());
+  std::string csv = apps::head_line(run_columns());
+  for (const RunRow& row : rows) csv += apps::to_line(row, run_columns());
   return csv;
 }
 
@@ -66,7 +66,7 @@ std::vector<RunRow> read_rows(std::string_view csv) {
   std::vector<RunRow> rows;
   std::istringstream lines{std::string(csv)};
   for (std::string line; std::getline(lines, line);)
-    if (auto row = from_line(line, run_columns())) rows.push_back(*std::move(row));
+    if (auto row = apps::from_line(line, run_columns())) rows.push_back(*std::move(row));
   return rows;
 }
 

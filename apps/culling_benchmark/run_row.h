@@ -2,7 +2,7 @@
 /// runs.csv: a row for each (case, structure, process), the record from which all the rest is made.
 #include <span>
 
-#include "apps/culling_benchmark/csv.h"
+#include "apps/common/csv.h"
 
 namespace manzana::culling_benchmark {
 
@@ -17,7 +17,7 @@ struct RunRow {
   double calibration_ms = 0, others_cores = 0, steal = 0;
 };
 
-std::span<const Column<RunRow>> run_columns();
+std::span<const apps::Column<RunRow>> run_columns();
 
 /// All that must be equal for a row to stand for one that would be measured now.
 bool same_measurement(const RunRow& a, const RunRow& b);

@@ -9,10 +9,10 @@
 #include <random>
 #include <thread>
 
-#include "apps/culling_benchmark/clock.h"
-#include "apps/culling_benchmark/csv.h"
-#include "apps/culling_benchmark/markdown.h"
-#include "apps/culling_benchmark/statistics.h"
+#include "apps/common/clock.h"
+#include "apps/common/csv.h"
+#include "apps/common/markdown.h"
+#include "apps/common/statistics.h"
 #include "culling/baselines/cases.h"
 #include "files/whole_file.h"
 
@@ -25,7 +25,7 @@ using culling::View;
 
 constexpr double kRoofs = 12;  // metres: the walls of nearly every block cross this height
 
-using C = Column<SharingRow>;
+using C = apps::Column<SharingRow>;
 constexpr std::array kColumns{
     C{"objects", "", "in the city", &SharingRow::objects},
     C{"view", "", "what is asked", &SharingRow::view},
@@ -65,25 +65,25 @@ class Pair {
   SharingRow row() const {
     std::vector<double> ratios;
     for (std::size_t i = 1; i < one_us_.size(); ++i) ratios.push_back(all_us_[i] / one_us_[i]);  // the first makes room
-    const Interval interval = median_interval(ratios);
+    const apps::Interval interval = apps::median_interval(ratios);
     return {tree_.objects(),
             asked_.what,
             nodes_,
             crew_.members.empty() ? 0U : 1U,
-            median(one_us_),
-            median(all_us_),
-            median_ratio(ratios),
+            apps::median(one_us_),
+            apps::median(all_us_),
+            apps::median_ratio(ratios),
             interval.low,
             interval.high};
   }
 
  private:
   double time(bool all) {
-    const auto start = Clock::now();
+    const auto start = apps::Clock::now();
     const culling::CullStats stats = all ? cull_parallel(tree_, planes_, crew_, answer_, asked_.options)
                                          : cull(tree_, planes_, answer_, asked_.options);
     nodes_ = stats.nodes;
-    return us_since(start);
+    return apps::us_since(start);
   }
 
   const culling::BqrTree& tree_;
@@ -134,7 +134,7 @@ SharingRun run_sharing(const SharingOptions& options, const std::function<void(d
 }
 
 void write_sharing(const std::filesystem::path& folder, const SharingRun& run) {
-  files::write_whole(folder / "sharing.csv", to_csv<SharingRow>(run.rows, kColumns));
+  files::write_whole(folder / "sharing.csv", apps::to_csv<SharingRow>(run.rows, kColumns));
 }
 
 std::string sharing_columns_md() { return "\n## sharing.csv\n" + explain<SharingRow>(kColumns); }
@@ -143,14 +143,15 @@ std::string sharing_md(const SharingRun& run) {
   std::vector<std::vector<std::string>> cells{
       {"objects", "view", "nodes visited", "shared", "one thread us", "all threads us", "all / one"}};
   for (const SharingRow& r : run.rows)
-    cells.push_back({grouped(static_cast<double>(r.objects)), r.view, grouped(static_cast<double>(r.nodes)),
-                     r.shared != 0 ? "yes" : "no", digits3(r.one_us), digits3(r.all_us),
-                     digits3(r.ratio) + " [" + digits3(r.ratio_lo) + ", " + digits3(r.ratio_hi) + "]"});
+    cells.push_back(
+        {apps::grouped(static_cast<double>(r.objects)), r.view, apps::grouped(static_cast<double>(r.nodes)),
+         r.shared != 0 ? "yes" : "no", apps::digits3(r.one_us), apps::digits3(r.all_us),
+         apps::digits3(r.ratio) + " [" + apps::digits3(r.ratio_lo) + ", " + apps::digits3(r.ratio_hi) + "]"});
   return "### One query on all threads\nFrom where " + std::to_string(culling::kSharedAbove) +
-         " nodes wait to be visited, other threads are asked, which sleep until then: " + digits3(run.options.rest_ms) +
-         " ms pass before each query, as in a frame. " + std::to_string(tbb::this_task_arena::max_concurrency()) +
-         " threads, " + std::to_string(run.options.rounds) + " rounds, in an order that chance decides.\n\n" +
-         md_table(cells);
+         " nodes wait to be visited, other threads are asked, which sleep until then: " +
+         apps::digits3(run.options.rest_ms) + " ms pass before each query, as in a frame. " +
+         std::to_string(tbb::this_task_arena::max_concurrency()) + " threads, " + std::to_string(run.options.rounds) +
+         " rounds, in an order that chance decides.\n\n" + apps::md_table(cells);
 }
 
 }  // namespace manzana::culling_benchmark

@@ -5,14 +5,14 @@
 #include <map>
 #include <tuple>
 
+#include "apps/common/statistics.h"
 #include "apps/culling_benchmark/catalogue.h"
 #include "apps/culling_benchmark/rules.h"
-#include "apps/culling_benchmark/statistics.h"
 
 namespace manzana::culling_benchmark {
 namespace {
 
-using C = Column<SummaryRow>;
+using C = apps::Column<SummaryRow>;
 using S = SummaryRow;
 
 const std::array kColumns{
@@ -66,15 +66,15 @@ bool is_dirty(const RunRow& row, double best_calibration_ms) {
 void set_ratio(SummaryRow& s, const Rows& rows) {
   const auto ratios = values(rows, &RunRow::ratio);
   const bool one = rows.size() == 1;
-  s.ratio = median_ratio(ratios);
+  s.ratio = apps::median_ratio(ratios);
   s.ratio_lo = one ? rows.front()->ratio_lo : *std::min_element(ratios.begin(), ratios.end());
   s.ratio_hi = one ? rows.front()->ratio_hi : *std::max_element(ratios.begin(), ratios.end());
 }
 
 void set_values(SummaryRow& s, const Rows& rows) {
   const RunRow& any = *rows.front();  // counts are the same in all, or faults() says so
-  s.median_us = median(values(rows, &RunRow::median_us));
-  s.build_ms = median(values(rows, &RunRow::build_ms));
+  s.median_us = apps::median(values(rows, &RunRow::median_us));
+  s.build_ms = apps::median(values(rows, &RunRow::build_ms));
   s.accepted = any.accepted;
   s.exact = any.exact;
   s.missed = any.missed;
@@ -97,7 +97,7 @@ double time_of_bqr(const std::string& case_name, std::span<const RunRow> rows, d
     all.push_back(row.bqr_us);
     if (!is_dirty(row, best_calibration_ms)) clean.push_back(row.bqr_us);
   }
-  return median(clean.empty() ? all : clean);
+  return apps::median(clean.empty() ? all : clean);
 }
 
 SummaryRow summarise_one(const std::string& case_name, const std::string& peer, std::span<const RunRow> rows,
@@ -138,11 +138,11 @@ const SummaryRow* find_row(std::span<const SummaryRow> table, std::string_view c
   return row != table.end() && row->measured() ? &*row : nullptr;
 }
 
-std::span<const Column<SummaryRow>> summary_columns() { return kColumns; }
+std::span<const apps::Column<SummaryRow>> summary_columns() { return kColumns; }
 
 std::string to_csv(std::span<const SummaryRow> rows) {
-  std::string csv = head_line(summary_columns());
-  for (const SummaryRow& row : rows) csv += to_line(row, summary_columns());
+  std::string csv = apps::head_line(summary_columns());
+  for (const SummaryRow& row : rows) csv += apps::to_line(row, summary_columns());
   return csv;
 }
 

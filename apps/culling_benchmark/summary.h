@@ -28,7 +28,7 @@ std::vector<SummaryRow> summarise(const Options& options, std::span<const RunRow
 /// nullptr: not there, or not measured.
 const SummaryRow* find_row(std::span<const SummaryRow> table, std::string_view case_name, std::string_view peer);
 
-std::span<const Column<SummaryRow>> summary_columns();
+std::span<const apps::Column<SummaryRow>> summary_columns();
 std::string to_csv(std::span<const SummaryRow> rows);
 
 /// What must not be: objects missed, and counts that differ from process to process. A line each.

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <thread>
 
-#include "apps/culling_benchmark/clock.h"
-#include "apps/culling_benchmark/statistics.h"
+#include "apps/common/clock.h"
+#include "apps/common/statistics.h"
 #include "culling/hash.h"
 
 namespace manzana::culling_benchmark {
@@ -76,9 +76,9 @@ class Rounds {
       contender.peer->query((*contender.flight)[frames_[i]], answer);
     for (std::size_t i = 0; i < frames_.size(); ++i) {
       if (cold_) stream().flow();
-      const auto start = Clock::now();
+      const auto start = apps::Clock::now();
       contender.peer->query((*contender.flight)[frames_[i]], answer);
-      us_[i] = std::max(us_since(start) - overhead_us_, 1e-3);  // a nanosecond: a ratio needs more than nothing
+      us_[i] = std::max(apps::us_since(start) - overhead_us_, 1e-3);  // a nanosecond: a ratio needs more than nothing
     }
     return us_;
   }
@@ -136,10 +136,10 @@ PairTimes time_pairs(const Contender& bqr, const Contender& peer, bool cold, con
   Answer of_bqr, of_peer;
   PairTimes times;
   std::vector<std::vector<double>> by_frame(plan.frames.size());
-  const auto fly_bqr = [&] { times.bqr_us.push_back(median(rounds.fly(bqr, of_bqr))); };
+  const auto fly_bqr = [&] { times.bqr_us.push_back(apps::median(rounds.fly(bqr, of_bqr))); };
   const auto fly_peer = [&] {
     const std::vector<double>& us = rounds.fly(peer, of_peer);
-    times.peer_us.push_back(median(us));
+    times.peer_us.push_back(apps::median(us));
     for (std::size_t i = 0; i < us.size(); ++i) by_frame[i].push_back(us[i]);
   };
   rounds.fly(bqr, of_bqr);  // grows the answers, warms what may be warm; not counted
@@ -150,21 +150,21 @@ PairTimes time_pairs(const Contender& bqr, const Contender& peer, bool cold, con
     fly_peer();
     if (!bqr_first) fly_bqr();
   }
-  for (auto& us : by_frame) times.frame_us.push_back(median(std::move(us)));
+  for (auto& us : by_frame) times.frame_us.push_back(apps::median(std::move(us)));
   return times;
 }
 
 double clock_overhead_us() {
   std::vector<double> us(1001);
-  for (double& one : us) one = us_since(Clock::now());
-  return median(std::move(us));
+  for (double& one : us) one = apps::us_since(apps::Clock::now());
+  return apps::median(std::move(us));
 }
 
 double stream_us() {
   stream().flow();
-  const auto start = Clock::now();
+  const auto start = apps::Clock::now();
   stream().flow();
-  return us_since(start);
+  return apps::us_since(start);
 }
 
 }  // namespace manzana::culling_benchmark

@@ -9,8 +9,8 @@
 #include <optional>
 #include <span>
 
-#include "apps/culling_benchmark/clock.h"
-#include "apps/culling_benchmark/machine.h"
+#include "apps/common/clock.h"
+#include "apps/common/machine.h"
 #include "culling/baselines/exact.h"
 #include "culling/hash.h"
 #include "files/whole_file.h"
@@ -65,7 +65,7 @@ std::string key_of(const Workload& work) {
   };
   for (const culling::BoxD& box : work.city->boxes) add(box);
   for (const culling::View& view : work.views) add(view);
-  for (const char c : this_machine().commit) key = hash_bits(key, static_cast<std::uint64_t>(c));
+  for (const char c : apps::this_machine().commit) key = hash_bits(key, static_cast<std::uint64_t>(c));
   return std::to_string(key);
 }
 
@@ -116,9 +116,9 @@ std::vector<Counts> check(Peer& peer, const Workload& work, const Truth& truth) 
   Answer answer;
   std::vector<std::uint64_t> left;
   for (std::size_t frame = 0; frame < work.frusta.size(); ++frame) {
-    const auto start = Clock::now();
+    const auto start = apps::Clock::now();
     peer.query(work.frusta[frame], answer);
-    const double us = us_since(start);
+    const double us = apps::us_since(start);
     left = truth.bits[frame];
     frames.push_back(compare(answer, peer, *work.city, left));
     frames.back().exact = truth.seen[frame];

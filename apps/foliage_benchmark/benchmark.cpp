@@ -2,9 +2,12 @@
 
 #include <cstdio>
 
+#include "apps/common/machine.h"
+#include "apps/common/markdown.h"
 #include "apps/common/png.h"
 #include "apps/common/progress_bar.h"
-#include "apps/foliage_benchmark/errors.h"
+#include "apps/foliage_benchmark/errors_report.h"
+#include "apps/foliage_benchmark/times.h"
 #include "files/whole_file.h"
 #include "foliage/import/load_plant.h"
 #include "foliage/import/species.h"
@@ -52,6 +55,57 @@ void write_sheet(const std::filesystem::path& file, const Picture& sheet) {
   apps::write_png(file, sheet.width, sheet.height, to_rgb8(sheet));
 }
 
+constexpr std::array kSheetHeights{256.0, 128.0, 64.0, 32.0, 16.0};
+
+void write_sheets(const Options& options, std::span<const foliage::PreparedPlant> plants) {
+  Stage stage(plants, sites_of(plants));
+  for (std::uint32_t i = 0; i < plants.size(); ++i)
+    write_sheet(options.out / ("sheet_" + plants[i].name + ".png"),
+                contact_sheet(stage, i, extent_of(plants[i]), foliage::Law::ours, options.error_px, kSheetHeights));
+}
+
+std::vector<Verdict> write_errors(const Options& options, std::span<const foliage::PreparedPlant> plants,
+                                  const ErrorPlan& plan) {
+  apps::ProgressBar bar(stderr);
+  const auto rows = measure_errors(plants, plan, [&](double done) { bar.show("image errors", done); });
+  auto verdicts = judge(rows);
+  files::write_whole(options.out / "runs.csv", apps::to_csv<ErrorRow>(rows, error_columns()));
+  files::write_whole(options.out / "summary.csv", apps::to_csv<Verdict>(verdicts, verdict_columns()));
+  return verdicts;
+}
+
+std::string columns_md() {
+  return "# Columns\n\n## runs.csv: one picture each\n" + apps::explain(error_columns()) +
+         "\n## summary.csv: means over the views\n" + apps::explain(verdict_columns()) +
+         "\n## times.csv: two ways timed in turn\n" + apps::explain(time_columns());
+}
+
+std::string head_md(const Options& options, std::span<const foliage::PreparedPlant> plants) {
+  const apps::Machine& machine = apps::this_machine();
+  std::string text =
+      "# Plants: what they cost and how true they look\n\nmanzana-foliage-benchmark " MANZANA_VERSION ", commit " +
+      machine.commit + ", " + apps::now_utc() + ", " + machine.processor + ", " + gl::renderer_name() + ".\n";
+  if (options.quick) text += "A quick run: few plants, views, distances and repetitions.\n";
+  if (gl::software_renderer())
+    text += "GL runs in software here: its times mean nothing by themselves, only their ratios within one row do.\n";
+  std::vector<std::vector<std::string>> cells{
+      {"plant", "height m", "branch quads", "leaf quads", "lines", "points", "cells", "leaf area m2"}};
+  for (const foliage::PreparedPlant& p : plants) {
+    const auto count = [](std::size_t n) { return apps::grouped(static_cast<double>(n)); };
+    const std::size_t bark = p.branch_levels.empty() ? 0 : p.branch_levels.front().quads.size();
+    cells.push_back({p.name, apps::digits3(static_cast<double>(p.height_m)), count(bark), count(p.leaves.size()),
+                     count(p.lines.size()), count(p.points.size()), count(p.cells.size()),
+                     apps::digits3(static_cast<double>(p.leaf_area_m2))});
+  }
+  return text + "\n" + apps::md_table(cells);
+}
+
+std::string plots_md(const std::vector<std::string>& drawn) {
+  std::string text = drawn.empty() ? "" : "## Plots\n\n";
+  for (const std::string& name : drawn) text += "![" + name + "](" + name + ".svg)\n";
+  return text;
+}
+
 }  // namespace
 
 int run_benchmark(const Options& options) {
@@ -59,33 +113,18 @@ int run_benchmark(const Options& options) {
   const gl::HeadlessContext context;
   const auto plants = plants_of(options);
   const ErrorPlan plan = plan_of(options);
-  std::vector<ErrorRow> rows;
-  {
-    apps::ProgressBar bar(stderr);
-    rows = measure_errors(plants, plan, [&](double done) { bar.show("image errors", done); });
-  }
-  std::string text;
-  for (const Verdict& v : judge(rows)) {
-    char line[400];
-    const ErrorRow& m = v.mean;
-    std::snprintf(line, sizeof line,
-                  "%-24s %4.0f px %-6s %-7s prims %7llu (bark %llu leaves %llu lines %llu points %llu)  cover %.3f%s "
-                  "colour %.4f%s ssim %.3f/%.3f%s gmsd %.3f/%.3f%s iou %.3f sil %.3f psnr %.1f %s\n",
-                  m.plant.c_str(), m.height_px, m.law.c_str(), m.sampling.c_str(),
-                  static_cast<unsigned long long>(m.primitives), static_cast<unsigned long long>(m.bark),
-                  static_cast<unsigned long long>(m.leaves), static_cast<unsigned long long>(m.lines),
-                  static_cast<unsigned long long>(m.points), m.cover, v.cover ? "" : "!", m.colour,
-                  v.colour ? "" : "!", m.ssim, v.floor_ssim, v.ssim ? "" : "!", m.gmsd, v.floor_gmsd,
-                  v.gmsd ? "" : "!", m.iou, m.silhouette, m.psnr, v.all() ? "pass" : "FAIL");
-    text += line;
-  }
-  files::write_whole(options.out / "errors.txt", text);
-  Stage stage(plants, sites_of(plants));
-  constexpr std::array kSheetHeights{256.0, 128.0, 64.0, 32.0, 16.0};
-  for (std::uint32_t i = 0; i < plants.size(); ++i)
-    write_sheet(options.out / ("sheet_" + plants[i].name + ".png"),
-                contact_sheet(stage, i, extent_of(plants[i]), foliage::Law::ours, plan.error_px, kSheetHeights));
-  std::printf("written to %s\n", options.out.c_str());
+  const auto verdicts = write_errors(options, plants, plan);
+  write_sheets(options, plants);
+  const Times times = options.errors_only ? Times{} : measure_times(options.quick, plants);
+  if (!times.rows.empty())
+    files::write_whole(options.out / "times.csv", apps::to_csv<TimeRow>(times.rows, time_columns()));
+  files::write_whole(options.out / "columns.md", columns_md());
+  auto plots = error_plots(verdicts);
+  plots.insert(plots.end(), times.plots.begin(), times.plots.end());
+  const auto drawn = apps::draw_all(options.out, plots);
+  files::write_whole(options.out / "report.md",
+                     head_md(options, plants) + errors_md(verdicts, plan) + times.text + plots_md(drawn));
+  std::printf("written to %s; read report.md first\n", options.out.c_str());
   return 0;
 }
 

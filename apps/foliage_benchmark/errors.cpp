@@ -115,6 +115,20 @@ ErrorRow mean_of(std::span<const ErrorRow> rows, const ErrorRow& kind) {
   return mean;
 }
 
+std::string over_floors(const Verdict& v) {
+  std::string over;
+  if (std::abs(v.cover - 1) > kCoverWithin) over += " cover";
+  if (v.colour > kColourWithin) over += " colour";
+  if (v.ssim < v.floor_ssim) over += " ssim";
+  if (v.gmsd > v.floor_gmsd) over += " gmsd";
+  return over.empty() ? over : over.substr(1);
+}
+
+void copy(const Picture& from, Picture& to, int left, int low) {
+  for (int y = 0; y < from.height; ++y)
+    for (int x = 0; x < from.width; ++x) to.at(left + x, low + y) = from.at(x, y);
+}
+
 }  // namespace
 
 std::vector<foliage::TreeSite> sites_of(std::span<const foliage::PreparedPlant> plants) {
@@ -149,46 +163,42 @@ std::vector<ErrorRow> measure_errors(std::span<const foliage::PreparedPlant> pla
 std::vector<Verdict> judge(std::span<const ErrorRow> rows) {
   std::vector<Verdict> verdicts;
   for (const ErrorRow& row : rows) {
-    const auto known = [&](const Verdict& v) { return same_kind(v.mean, row); };
-    if (std::none_of(verdicts.begin(), verdicts.end(), known)) verdicts.push_back({.mean = mean_of(rows, row)});
+    const auto known = [&](const Verdict& v) { return same_kind(v, row); };
+    if (std::none_of(verdicts.begin(), verdicts.end(), known)) verdicts.push_back({mean_of(rows, row), 1, 0, {}});
   }
   for (Verdict& v : verdicts) {
     for (const Verdict& floor : verdicts) {
-      if (floor.mean.law != "full" || !same_place(v.mean, floor.mean)) continue;
-      v.floor_ssim = std::min(v.floor_ssim, floor.mean.ssim);
-      v.floor_gmsd = std::max(v.floor_gmsd, floor.mean.gmsd);
+      if (floor.law != "full" || !same_place(v, floor)) continue;
+      v.floor_ssim = std::min(v.floor_ssim, floor.ssim);
+      v.floor_gmsd = std::max(v.floor_gmsd, floor.gmsd);
     }
-    v.cover = std::abs(v.mean.cover - 1) <= kCoverWithin;
-    v.colour = v.mean.colour <= kColourWithin;
-    v.ssim = v.mean.ssim >= v.floor_ssim;
-    v.gmsd = v.mean.gmsd <= v.floor_gmsd;
+    v.over = over_floors(v);
   }
   return verdicts;
 }
 
 Picture contact_sheet(Stage& stage, std::uint32_t plant, const Extent& extent, Law law, double error_px,
                       std::span<const double> heights) {
-  std::vector<Picture> above, below;
-  int width = 0, height = 0;
+  struct Part {
+    Law law;
+    Sampling sampling;
+  };
+  const std::array<Part, 3> parts{
+      {{law, Sampling::product}, {Law::full, Sampling::product}, {Law::full, Sampling::fine}}};
+  const auto camera = [&](double height_px) { return camera_of(extent, 0, 1, height_px); };
+  const int high = camera(*std::max_element(heights.begin(), heights.end())).shot.height;
+  int wide = 0, left = 0;
+  for (const double height_px : heights) wide += camera(height_px).shot.width;
+  Picture sheet = make_picture(wide, 3 * high);
   for (const double height_px : heights) {
-    const Camera camera = camera_of(extent, 0, 1, height_px);
-    const foliage::Run run{plant, plant + 1};
-    stage.set_law(Law::full);
-    above.push_back(stage.draw(run, camera.shot, {error_px, Sampling::product}));
-    stage.set_law(law);
-    below.push_back(stage.draw(run, camera.shot, {error_px, Sampling::product}));
-    width += above.back().width;
-    height = std::max(height, above.back().height);
-  }
-  Picture sheet = make_picture(width, 2 * height);
-  int left = 0;
-  for (std::size_t i = 0; i < above.size(); ++i) {
-    for (int y = 0; y < above[i].height; ++y)
-      for (int x = 0; x < above[i].width; ++x) {
-        sheet.at(left + x, height + y) = above[i].at(x, y);
-        sheet.at(left + x, y) = below[i].at(x, y);
-      }
-    left += above[i].width;
+    const Shot shot = camera(height_px).shot;
+    int low = 0;
+    for (const Part& part : parts) {
+      stage.set_law(part.law);
+      copy(stage.draw({plant, plant + 1}, shot, {error_px, part.sampling}), sheet, left, low);
+      low += high;
+    }
+    left += shot.width;
   }
   return sheet;
 }

@@ -32,19 +32,18 @@ struct ErrorRow {
 std::vector<ErrorRow> measure_errors(std::span<const foliage::PreparedPlant> plants, const ErrorPlan& plan,
                                      const std::function<void(double)>& progress);
 
-/// The means over the views of one plant, height, law and sampling, and whether they stay under the floors.
-struct Verdict {
-  ErrorRow mean;                        ///< angles unused
+/// The means over the views of one plant, height, law and sampling, and which of them are over the floors.
+struct Verdict : ErrorRow {
   double floor_ssim = 1, floor_gmsd = 0;  ///< the worse of both floors
-  bool cover = true, colour = true, ssim = true, gmsd = true;
-  bool all() const { return cover && colour && ssim && gmsd; }
+  std::string over;                       ///< "cover ssim"; empty: nothing is
 };
 inline constexpr double kCoverWithin = 0.02, kColourWithin = 0.005;
 
 /// A verdict for each law and sampling, floors among them, in the order of the rows.
 std::vector<Verdict> judge(std::span<const ErrorRow> rows);
 
-/// A sheet: all detail above, the law below, at the distances of these heights, side by side; product sampling.
+/// A sheet, at the distances of these heights, side by side: above what all detail looks like, finely sampled; then all
+/// detail, and below the law, as the product samples them.
 Picture contact_sheet(Stage& stage, std::uint32_t plant, const Extent& extent, foliage::Law law, double error_px,
                       std::span<const double> heights);
 

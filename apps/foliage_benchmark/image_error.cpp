@@ -43,7 +43,8 @@ Plane luma_of(const Picture& picture) {
 std::array<float, 11> gaussian() {
   std::array<float, 11> weights{};
   float sum = 0;
-  for (int i = -5; i <= 5; ++i) sum += weights[static_cast<std::size_t>(i + 5)] = std::exp(-static_cast<float>(i * i) / 4.5F);
+  for (int i = -5; i <= 5; ++i)
+    sum += weights[static_cast<std::size_t>(i + 5)] = std::exp(-static_cast<float>(i * i) / 4.5F);
   for (float& w : weights) w /= sum;
   return weights;
 }
@@ -79,7 +80,8 @@ Plane ssim_map(const Plane& a, const Plane& b) {
 Plane halved(const Plane& plane) {
   return make_plane((plane.width + 1) / 2, (plane.height + 1) / 2, [&](int x, int y) {
     return (plane.at(2 * x, 2 * y) + plane.at(2 * x + 1, 2 * y) + plane.at(2 * x, 2 * y + 1) +
-            plane.at(2 * x + 1, 2 * y + 1)) / 4;
+            plane.at(2 * x + 1, 2 * y + 1)) /
+           4;
   });
 }
 

@@ -14,7 +14,7 @@ namespace {
 // A reference has at least 4 x 4 samples a pixel, and so many that the plant is this high: where leaf cards are smaller
 // than a few samples, the alpha test drops them, and four samples a pixel show half of a far crown.
 constexpr double kFineHeightPx = 768;
-constexpr double kFocalPx = 935;   // 1080 rows, 60 degrees
+constexpr double kFocalPx = 935;  // 1080 rows, 60 degrees
 constexpr int kMarginPx = 8;
 constexpr std::size_t kMostRooms = 3;
 
@@ -99,13 +99,17 @@ Shot shot_of(const Extent& extent, double azimuth, double elevation, double heig
   shot.focal_px = kFocalPx;
   while (shot.fine * height_px < kFineHeightPx && shot.fine < 64) shot.fine *= 2;
   const double distance = kFocalPx * extent.nominal_height / height_px, middle = (extent.low + extent.high) / 2;
-  const Vec3d back(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+  const Vec3d back(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+                   std::sin(elevation));
   shot.view = culling::look(Vec3d(0, 0, middle) + distance * back, -back, {0, 0, 1}, 1, 1);
   // Of the ball round the cylinder: all there is of it, whatever the perspective.
   const double half_height = (extent.high - extent.low) / 2;
   const double tall = half_height * std::cos(elevation) + extent.radius * std::sin(elevation);
-  const double nearest = std::max(0.1 * distance, distance - extent.radius * std::cos(elevation) - half_height * std::sin(elevation));
-  const auto side = [&](double half) { return 2 * (static_cast<int>(std::ceil(kFocalPx * half / nearest)) + kMarginPx); };
+  const double nearest =
+      std::max(0.1 * distance, distance - extent.radius * std::cos(elevation) - half_height * std::sin(elevation));
+  const auto side = [&](double half) {
+    return 2 * (static_cast<int>(std::ceil(kFocalPx * half / nearest)) + kMarginPx);
+  };
   shot.width = side(extent.radius);
   shot.height = side(tall);
   shot.view.tan_right = shot.width / (2 * kFocalPx);
@@ -139,8 +143,13 @@ Stage::Stage(std::span<const foliage::PreparedPlant> plants, std::span<const fol
 }
 
 void Stage::set_law(foliage::Law law) {
-  if (law_ != law) set_details(store_, make_details(plants_, law));
+  if (law_ != law) foliage::set_details(store_, make_details(plants_, law));
   law_ = law;
+}
+
+void Stage::set_details(std::vector<foliage::Detail> details) {
+  foliage::set_details(store_, std::move(details));
+  law_.reset();
 }
 
 Stage::Room Stage::make_room(int width, int height, int samples) {
@@ -224,7 +233,8 @@ Picture Stage::read(Room& room, int factor) {
   Picture picture = make_picture(room.width / factor, room.height / factor);
   for (int y = 0; y < room.height; ++y) {
     for (int x = 0; x < room.width; ++x) {
-      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(room.width) + static_cast<std::size_t>(x);
+      const std::size_t i =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(room.width) + static_cast<std::size_t>(x);
       if (mask[i] == 0) continue;
       picture.at(x / factor, y / factor) += Vec4{linear[colour[4 * i]], linear[colour[4 * i + 1]],
                                                  linear[colour[4 * i + 2]], static_cast<float>(mask[i]) / 255};

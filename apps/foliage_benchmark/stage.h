@@ -49,6 +49,7 @@ class Stage {
         const foliage::ExtractLimits& limits = {});
 
   void set_law(foliage::Law law);
+  void set_details(std::vector<foliage::Detail> details);  ///< until the next law
   /// Of the sites in the runs.
   Picture draw(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
   Picture draw(const foliage::Run& run, const Shot& shot, const HowDrawn& how) { return draw({&run, 1}, shot, how); }

@@ -74,7 +74,7 @@ TEST_CASE("growth: the table has a row a size and a cell a structure, empty wher
   CHECK(growth_text({}).empty());
   REQUIRE(growth_plots(table).size() == 1);
   const TemporaryFolder folder;
-  const auto drawn = draw_all(folder.path(), growth_plots(table));
+  const auto drawn = manzana::apps::draw_all(folder.path(), growth_plots(table));
   CHECK(std::filesystem::exists(folder.path() / "plots" / "growth.gp"));
   CHECK(std::filesystem::exists(folder.path() / "growth.svg") == !drawn.empty());
 }

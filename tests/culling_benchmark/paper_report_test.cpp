@@ -95,7 +95,7 @@ TEST_CASE("the file has a head, and a line a row with as many cells") {
   CHECK(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) == rows.size() + 1);
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = text.find('\n', at);
-    CHECK(culling_benchmark::split_cells(std::string_view(text).substr(at, end - at)).size() == paper_columns().size());
+    CHECK(apps::split_cells(std::string_view(text).substr(at, end - at)).size() == paper_columns().size());
     at = end + 1;
   }
 }

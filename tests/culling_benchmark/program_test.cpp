@@ -1,7 +1,7 @@
 // The program from outside: exit codes, messages, files, and whether its figures agree with each other.
 #include <algorithm>
 
-#include "apps/culling_benchmark/csv.h"
+#include "apps/common/csv.h"
 #include "apps/culling_benchmark/run_row.h"
 #include "tests/support/program.h"
 
@@ -17,7 +17,7 @@ using Table = std::vector<std::vector<std::string>>;
 Table table_of(const std::filesystem::path& file) {
   Table table;
   std::istringstream lines(read_all(file));
-  for (std::string line; std::getline(lines, line);) table.push_back(split_cells(line));
+  for (std::string line; std::getline(lines, line);) table.push_back(manzana::apps::split_cells(line));
   return table;
 }
 

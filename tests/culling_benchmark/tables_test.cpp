@@ -75,7 +75,8 @@ TEST_CASE("summary.csv: begins with the columns that were agreed, and leaves cel
 }
 
 TEST_CASE("columns.md: names every column with what it is") {
-  const std::string text = explain(run_columns()) + explain(summary_columns()) + explain(frame_columns());
+  const std::string text = manzana::apps::explain(run_columns()) + manzana::apps::explain(summary_columns()) +
+                           manzana::apps::explain(frame_columns());
   for (const char* name : {"ratio_to_bqr", "grain", "timed_frames", "steal", "exact", "us"})
     CHECK(text.find(std::string("| ") + name + " |") != std::string::npos);
   CHECK(text.find("|  |  |") == std::string::npos);

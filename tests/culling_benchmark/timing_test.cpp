@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "apps/common/statistics.h"
 #include "apps/culling_benchmark/conditions.h"
-#include "apps/culling_benchmark/statistics.h"
 #include "apps/culling_benchmark/truth.h"
 #include "tests/support/random.h"
 #include "tests/support/temporary_folder.h"
@@ -101,11 +101,11 @@ TEST_CASE("plan: five frames stand for a flight whose costs differ by thousands"
     const auto at = [&](const std::vector<double>& us) {
       std::vector<double> some;
       for (const std::size_t frame : plan.frames) some.push_back(us[frame]);
-      return median(some);
+      return manzana::apps::median(some);
     };
     CAPTURE(steep, shift);
-    CHECK(at(bqr) == Approx(median(bqr)).epsilon(0.25));
-    CHECK(at(peer) == Approx(median(peer)).epsilon(0.25));
+    CHECK(at(bqr) == Approx(manzana::apps::median(bqr)).epsilon(0.25));
+    CHECK(at(peer) == Approx(manzana::apps::median(peer)).epsilon(0.25));
   }
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("pairs: a structure that takes three times as long is found to, whoeve
   CHECK(quick.queries == slow.queries);
   std::vector<double> ratios;
   for (std::size_t i = 0; i < 15; ++i) ratios.push_back(times.peer_us[i] / times.bqr_us[i]);
-  CHECK(median_ratio(ratios) == Approx(3).epsilon(0.1));
+  CHECK(manzana::apps::median_ratio(ratios) == Approx(3).epsilon(0.1));
 }
 
 TEST_CASE("pairs: an untimed round goes before each that counts") {
@@ -142,7 +142,7 @@ TEST_CASE("pairs: the clock's own time is not counted") {
   Waiting nothing(0, 1), neither(0, 1);
   const PairTimes times =
       time_pairs({&nothing, {}, &work.frusta}, {&neither, {}, &work.frusta}, false, {flight_of(20), 50}, 1);
-  CHECK(median(times.peer_us) < 2 * overhead + 0.1);
+  CHECK(manzana::apps::median(times.peer_us) < 2 * overhead + 0.1);
 }
 
 TEST_CASE("check: counts what an answer holds, holds too much, and misses") {

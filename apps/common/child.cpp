@@ -1,4 +1,4 @@
-#include "apps/culling_benchmark/child.h"
+#include "apps/common/child.h"
 
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -9,7 +9,7 @@
 #include <csignal>
 #include <cstring>
 
-namespace manzana::culling_benchmark {
+namespace manzana::apps {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -102,4 +102,4 @@ int run_child(const std::vector<std::string>& command, const std::function<void(
 
 void end_with_parent() { prctl(PR_SET_PDEATHSIG, SIGTERM); }
 
-}  // namespace manzana::culling_benchmark
+}  // namespace manzana::apps

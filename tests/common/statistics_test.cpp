@@ -1,11 +1,11 @@
-#include "apps/culling_benchmark/statistics.h"
+#include "apps/common/statistics.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "tests/support/random.h"
 
-using namespace manzana::culling_benchmark;
+using namespace manzana::apps;
 
 TEST_CASE("median: the middle, or between the two in the middle") {
   CHECK(median({5}) == 5);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace manzana::culling_benchmark {
+namespace manzana::apps {
 
 struct Script {
   std::string name, text;
@@ -24,4 +24,4 @@ std::string plot_command(const std::vector<std::string>& parts);
 /// on stderr, in one line, and gives none.
 std::vector<std::string> draw_all(const std::filesystem::path& out, const std::vector<Script>& scripts);
 
-}  // namespace manzana::culling_benchmark
+}  // namespace manzana::apps

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace manzana::culling_benchmark {
+namespace manzana::apps {
 
 /// From here on SIGINT, SIGTERM and SIGHUP end a wait for a child, and with it the child, by Interrupted.
 void watch_for_interrupts();
@@ -26,4 +26,4 @@ int run_child(const std::vector<std::string>& command, const std::function<void(
 /// For a child: ends it when its parent ends.
 void end_with_parent();
 
-}  // namespace manzana::culling_benchmark
+}  // namespace manzana::apps

@@ -1,11 +1,11 @@
-#include "apps/culling_benchmark/statistics.h"
+#include "apps/common/statistics.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
 
-namespace manzana::culling_benchmark {
+namespace manzana::apps {
 namespace {
 
 /// How many values may be left out at either end: the largest k with P(at most k heads in n throws) <= 2.5 %.
@@ -39,4 +39,4 @@ Interval median_interval(std::vector<double> values) {
   return {values[skip], values[values.size() - 1 - skip]};
 }
 
-}  // namespace manzana::culling_benchmark
+}  // namespace manzana::apps

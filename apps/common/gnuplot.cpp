@@ -1,12 +1,12 @@
-#include "apps/culling_benchmark/gnuplot.h"
+#include "apps/common/gnuplot.h"
 
 #include <algorithm>
 #include <cstdio>
 
-#include "apps/culling_benchmark/child.h"
+#include "apps/common/child.h"
 #include "files/whole_file.h"
 
-namespace manzana::culling_benchmark {
+namespace manzana::apps {
 namespace {
 
 /// 0 when it is there; 127 without a gnuplot.
@@ -61,4 +61,4 @@ std::vector<std::string> draw_all(const std::filesystem::path& out, const std::v
   return drawn;
 }
 
-}  // namespace manzana::culling_benchmark
+}  // namespace manzana::apps

@@ -1,11 +1,11 @@
-#include "apps/culling_benchmark/markdown.h"
+#include "apps/common/markdown.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
-namespace manzana::culling_benchmark {
+namespace manzana::apps {
 namespace {
 
 std::string line_of(const std::vector<std::string>& cells) {
@@ -53,4 +53,4 @@ std::string grouped(double value) {
   return text;
 }
 
-}  // namespace manzana::culling_benchmark
+}  // namespace manzana::apps

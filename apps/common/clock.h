@@ -2,7 +2,7 @@
 /// The clock that everything is timed by.
 #include <chrono>
 
-namespace manzana::culling_benchmark {
+namespace manzana::apps {
 
 using Clock = std::chrono::steady_clock;
 
@@ -10,4 +10,4 @@ inline double us_since(Clock::time_point start) {
   return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
 }
 
-}  // namespace manzana::culling_benchmark
+}  // namespace manzana::apps

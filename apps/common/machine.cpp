@@ -1,4 +1,4 @@
-#include "apps/culling_benchmark/machine.h"
+#include "apps/common/machine.h"
 
 #include <sys/utsname.h>
 #include <unistd.h>
@@ -11,7 +11,7 @@
 #include "commit.h"  // written by every build
 #include "culling/cull.h"
 
-namespace manzana::culling_benchmark {
+namespace manzana::apps {
 namespace {
 
 /// The value of "key : value" in a file of /proc; empty where there is none.
@@ -85,4 +85,4 @@ std::string now_utc() {
   return text.data();
 }
 
-}  // namespace manzana::culling_benchmark
+}  // namespace manzana::apps

@@ -2,7 +2,7 @@
 /// What many measured values come to: ranks only, because what disturbs a measurement has no mean.
 #include <vector>
 
-namespace manzana::culling_benchmark {
+namespace manzana::apps {
 
 /// The middle value, or the mean of the two in the middle. Asserts that there is one.
 double median(std::vector<double> values);
@@ -19,4 +19,4 @@ struct Interval {
 /// [Thompson, Annals of Mathematical Statistics 7 (1936), p. 122]
 Interval median_interval(std::vector<double> values);
 
-}  // namespace manzana::culling_benchmark
+}  // namespace manzana::apps

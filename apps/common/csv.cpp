@@ -1,9 +1,9 @@
-#include "apps/culling_benchmark/csv.h"
+#include "apps/common/csv.h"
 
 #include <array>
 #include <charconv>
 
-namespace manzana::culling_benchmark {
+namespace manzana::apps {
 namespace {
 
 template <class Number>
@@ -58,4 +58,4 @@ std::vector<std::string> split_cells(std::string_view line) {
   return cells;
 }
 
-}  // namespace manzana::culling_benchmark
+}  // namespace manzana::apps

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace manzana::culling_benchmark {
+namespace manzana::apps {
 
 /// A table whose first row is its head. Columns of numbers stand to the right: all but the first and those of words.
 std::string md_table(std::span<const std::vector<std::string>> rows);
@@ -14,4 +14,4 @@ std::string digits3(double value);
 /// 32 700 000
 std::string grouped(double value);
 
-}  // namespace manzana::culling_benchmark
+}  // namespace manzana::apps

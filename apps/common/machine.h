@@ -2,7 +2,7 @@
 /// On what, with what and when something was measured.
 #include <string>
 
-namespace manzana::culling_benchmark {
+namespace manzana::apps {
 
 struct Machine {
   std::string processor, caches, memory, system, compiler, simd, commit;
@@ -14,4 +14,4 @@ std::string short_name(const Machine& machine);
 
 std::string now_utc();  ///< 2026-01-31T12:00:00Z
 
-}  // namespace manzana::culling_benchmark
+}  // namespace manzana::apps

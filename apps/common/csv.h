@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-namespace manzana::culling_benchmark {
+namespace manzana::apps {
 
 std::string to_cell(const std::string& text);
 std::string to_cell(double value);  ///< six digits
@@ -87,4 +87,4 @@ std::string explain(std::span<const Column<Row>> columns) {
   return text;
 }
 
-}  // namespace manzana::culling_benchmark
+}  // namespace manzana::apps

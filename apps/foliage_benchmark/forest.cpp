@@ -1,0 +1,83 @@
+#include "apps/foliage_benchmark/forest.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "culling/hash.h"
+#include "culling/overlap.h"
+
+namespace manzana::foliage_benchmark {
+
+std::vector<foliage::TreeSite> make_forest(std::span<const foliage::PreparedPlant> plants, std::uint32_t trees,
+                                           double spacing_m, std::uint64_t seed) {
+  const auto side = static_cast<std::uint32_t>(std::ceil(std::sqrt(trees)));
+  std::vector<foliage::TreeSite> sites;
+  for (std::uint32_t i = 0; i < trees; ++i) {
+    const auto random = [&, part = std::uint64_t{0}]() mutable {
+      return hash_unit(seed, 8 * std::uint64_t{i} + part++);
+    };
+    auto next = random;
+    const auto kind = i % static_cast<std::uint32_t>(plants.size());
+    const auto size = static_cast<float>(0.75 + 0.5 * next()), turn = static_cast<float>(6.28 * next());
+    foliage::TreeSite site = make_site(plants[kind], kind, size * plants[kind].height_m,
+                                       size * plants[kind].crown_radius_m, turn, hash_bits(seed, i));
+    site.position = {
+        static_cast<float>(spacing_m * (i % side - side / 2.0 + 0.8 * next())),
+        static_cast<float>(spacing_m * (std::floor(static_cast<double>(i) / side) - side / 2.0 + 0.8 * next())), 0};
+    sites.push_back(site);
+  }
+  return sites;
+}
+
+std::vector<foliage::Run> in_view(const Stage& stage, std::span<const Extent> extents, const Shot& shot,
+                                  std::uint32_t every) {
+  const culling::FrustumD frustum = culling::make_frustum(shot.view);
+  std::vector<foliage::Run> runs;
+  std::uint32_t index = 0, seen = 0;
+  for (const foliage::TreeSite& site : stage.sites()) {
+    const Extent& extent = extents[site.plant];
+    const double half = (extent.high - extent.low) / 2 * static_cast<double>(site.height);
+    const double across = extent.radius * static_cast<double>(site.radius);
+    const Vec3d middle =
+        Vec3d(site.position) + Vec3d(0, 0, (extent.high + extent.low) / 2 * static_cast<double>(site.height));
+    const bool out = culling::outside(frustum, culling::kAllPlanes, {middle, std::hypot(half, across)});
+    if (!out && seen++ % every == 0) {
+      if (!runs.empty() && runs.back().last == index)
+        ++runs.back().last;
+      else
+        runs.push_back({index, index + 1});
+    }
+    ++index;
+  }
+  return runs;
+}
+
+std::uint64_t trees_of(std::span<const foliage::Run> runs) {
+  std::uint64_t trees = 0;
+  for (const foliage::Run& run : runs) trees += run.size();
+  return trees;
+}
+
+std::uint64_t full_primitives(const Stage& stage, std::span<const foliage::Run> runs) {
+  std::vector<std::uint64_t> of_plant;
+  for (const foliage::PreparedPlant& plant : stage.plants()) {
+    const std::size_t bark = plant.branch_levels.empty() ? 0 : plant.branch_levels.front().quads.size();
+    of_plant.push_back(2 * (bark + plant.leaves.size()));
+  }
+  std::uint64_t sum = 0;
+  for (const foliage::Run& run : runs)
+    for (std::uint32_t i = run.first; i < run.last; ++i) sum += of_plant[stage.sites()[i].plant];
+  return sum;
+}
+
+Shot screen_shot(const Vec3d& eye, const Vec3d& forward, int width, int height) {
+  constexpr double kFovY = std::numbers::pi / 3;
+  Shot shot;
+  shot.width = width;
+  shot.height = height;
+  shot.focal_px = height / (2 * std::tan(kFovY / 2));
+  shot.view = culling::look(eye, forward, {0, 0, 1}, kFovY, static_cast<double>(width) / height);
+  return shot;
+}
+
+}  // namespace manzana::foliage_benchmark

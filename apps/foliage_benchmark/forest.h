@@ -1,0 +1,23 @@
+#pragma once
+/// Many plants on level ground, and what of them is in view.
+#include "apps/foliage_benchmark/stage.h"
+
+namespace manzana::foliage_benchmark {
+
+/// A square of trees, their species by turns, each turned and of its own size, about `spacing_m` apart; the middle is
+/// the origin.
+std::vector<foliage::TreeSite> make_forest(std::span<const foliage::PreparedPlant> plants, std::uint32_t trees,
+                                           double spacing_m, std::uint64_t seed);
+
+/// Trees whose balls are not certainly out of view, as runs; of these every `every`th.
+std::vector<foliage::Run> in_view(const Stage& stage, std::span<const Extent> extents, const Shot& shot,
+                                  std::uint32_t every = 1);
+std::uint64_t trees_of(std::span<const foliage::Run> runs);
+
+/// Primitives of all detail.
+std::uint64_t full_primitives(const Stage& stage, std::span<const foliage::Run> runs);
+
+/// A camera of a screen.
+Shot screen_shot(const Vec3d& eye, const Vec3d& forward, int width, int height);
+
+}  // namespace manzana::foliage_benchmark

@@ -1,0 +1,96 @@
+// Plants on the stage: how large they are in the picture, and what a still camera sees twice.
+#include <catch2/catch.hpp>
+
+#include "apps/foliage_benchmark/errors.h"
+#include "foliage/generate.h"
+#include "foliage/import/species.h"
+#include "foliage/prepare.h"
+#include "gl/context.h"
+#include "gl/error_log.h"
+
+namespace manzana::foliage_benchmark {
+namespace {
+
+const std::vector<foliage::PreparedPlant>& shrub() {
+  static const std::vector<foliage::PreparedPlant> plants = [] {
+    std::vector<foliage::PreparedPlant> made{prepare(grow_plant(foliage::builtin_species("shrub"), 3))};
+    made.front().name = "shrub";
+    return made;
+  }();
+  return plants;
+}
+
+/// Rows between the lowest and the highest that the plant covers.
+int rows_covered(const Picture& picture) {
+  int low = picture.height, high = -1;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      if (picture.at(x, y).w > 0) {
+        low = std::min(low, y);
+        high = std::max(high, y);
+      }
+  return high - low + 1;
+}
+
+}  // namespace
+
+TEST_CASE("stage: a plant is as high as it is asked to be and leaves a margin") {
+  const gl::HeadlessContext context;
+  gl::ErrorLog log;
+  Stage stage(shrub(), sites_of(shrub()));
+  stage.set_law(foliage::Law::full);
+  const Extent extent = extent_of(shrub().front());
+  for (const double height_px : {24.0, 96.0}) {
+    const Shot shot = shot_of(extent, 0.3, 0.02, height_px);
+    for (const Sampling sampling : {Sampling::fine, Sampling::product}) {
+      const Picture picture = stage.draw({0, 1}, shot, {1, sampling});
+      CHECK(picture.width == shot.width);
+      const double expected = height_px * (extent.high - extent.low) / extent.nominal_height;
+      CHECK(rows_covered(picture) == Approx(expected).epsilon(0.15).margin(3));
+      for (int x = 0; x < picture.width; ++x) CHECK(picture.at(x, 4).w + picture.at(x, picture.height - 5).w == 0);
+    }
+  }
+  CHECK(stage.shown().leaves == shrub().front().leaves.size());
+  CHECK(log.messages().empty());
+}
+
+TEST_CASE("stage: the same shot twice is the same picture and half a pixel beside it is not") {
+  const gl::HeadlessContext context;
+  Stage stage(shrub(), sites_of(shrub()));
+  stage.set_law(foliage::Law::ours);
+  const Shot shot = shot_of(extent_of(shrub().front()), 1, 0.3, 48);
+  const Picture once = stage.draw({0, 1}, shot, {});
+  CHECK(image_error(once, stage.draw({0, 1}, shot, {})).psnr == 99);
+  const ImageError beside = image_error(once, stage.draw({0, 1}, moved(shot, 0.5), {}));
+  CHECK(beside.cover == Approx(1).epsilon(0.01));
+  CHECK(beside.ssim < 0.99);
+  const ImageError far = image_error(once, stage.draw({0, 1}, moved(shot, 4), {}));
+  CHECK(far.ssim < beside.ssim);
+}
+
+TEST_CASE("errors: full detail has none and floors are the worse of two") {
+  const gl::HeadlessContext context;
+  const ErrorPlan plan{.heights = {32}, .views = 2, .laws = {foliage::Law::full, foliage::Law::ours}};
+  double done = 0;
+  const auto rows = measure_errors(shrub(), plan, [&](double now) {
+    CHECK(now > done);
+    done = now;
+  });
+  CHECK(done == 1);
+  REQUIRE(rows.size() == 2 * (2 + 2 * 2));
+  for (const ErrorRow& row : rows) {
+    CHECK(row.plant == "shrub");
+    if (row.law != "full") continue;
+    CHECK(row.primitives == 2 * (row.bark + row.leaves + row.lines) + row.points);
+    if (row.sampling == "fine") CHECK(row.psnr == 99);
+  }
+  const auto verdicts = judge(rows);
+  REQUIRE(verdicts.size() == 5);  // full: moved, product, fine; ours: fine, product
+  for (const Verdict& v : verdicts) {
+    CHECK(v.floor_ssim == std::min(verdicts[0].ssim, verdicts[1].ssim));
+    CHECK(v.floor_gmsd == std::max(verdicts[0].gmsd, verdicts[1].gmsd));
+    if (v.law == "full" && v.sampling == "fine") CHECK(v.over.empty());
+  }
+}
+
+}  // namespace manzana::foliage_benchmark
