@@ -18,9 +18,7 @@ using Clock = std::chrono::steady_clock;
 using Peers = std::initializer_list<const char*>;
 using Ways = std::initializer_list<Residency>;
 
-double seconds_since(apps::Clock::time_point begin) {
-  return std::chrono::duration<double>(apps::Clock::now() - begin).count();
-}
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 bool available(const std::string& peer) {
   const auto* info = baselines::find_peer(peer);
@@ -117,7 +115,7 @@ PaperRun unmeasured(const std::vector<Lane>& lanes, const PaperOptions& options)
 
 void measure(PaperRun& run, const Tell& tell) {
   if (run.parts_done == run.options.parts) return;
-  const auto begin = apps::Clock::now();
+  const auto begin = Clock::now();
   tell.progress(static_cast<double>(run.parts_done) / run.options.parts);
   std::vector<Lane> lanes;
   for (const LaneCosts& costs : run.lanes) lanes.push_back(costs.lane);

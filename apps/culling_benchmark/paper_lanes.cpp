@@ -10,7 +10,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double ms(apps::Clock::duration duration) { return std::chrono::duration<double, std::milli>(duration).count(); }
+double ms(Clock::duration duration) { return std::chrono::duration<double, std::milli>(duration).count(); }
 
 }  // namespace
 
@@ -84,13 +84,13 @@ FrameCost ReadyLanes::frame(std::size_t lane, int i) {
   const Ready& ready = lanes_.at(lane);
   const FrameView& at = ready.scene->views.at(static_cast<std::size_t>(i));
   const CityModel& model = *ready.structure->model;
-  const auto begin = apps::Clock::now();
+  const auto begin = Clock::now();
   query(ready, at);
-  const auto found = apps::Clock::now();
+  const auto found = Clock::now();
   stage_.draw(model, answer_.runs, *ready.fleet, seen_, at.view, ready.lane.residency);
-  const auto sent = apps::Clock::now();
+  const auto sent = Clock::now();
   glFinish();
-  const auto end = apps::Clock::now();
+  const auto end = Clock::now();
   return {true, ms(found - begin), ms(sent - found), ms(end - sent),
           triangles(model.geometry, answer_.runs) + seen_.triangles};
 }

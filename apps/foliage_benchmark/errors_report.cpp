@@ -16,7 +16,7 @@ std::vector<apps::Column<Row>> common_columns() {
   return {C{"plant", "", "", &Row::plant},
           C{"law", "", "of detail: full, ours, gumbau", &Row::law},
           C{"sampling", "",
-            "fine: as the reference; product: 4 samples a pixel, alpha to coverage; moved: fine, half a pixel beside",
+            "fine: as the reference; product: 4 samples a pixel; moved: fine, half a pixel beside",
             &Row::sampling},
           C{"height_px", "pixels", "of the plant", &Row::height_px},
           C{"error_px", "pixels", "that may be wrong", &Row::error_px},
@@ -131,7 +131,7 @@ std::string errors_md(std::span<const Verdict> verdicts, const ErrorPlan& plan) 
   text += "Means over " + std::to_string(plan.views) +
           " views. The reference is all detail, at least 4 x 4 samples a pixel and the plant at least "
           "768 samples high; floors are the reference moved by half a pixel, and all detail as the product samples it "
-          "(4 samples a pixel, alpha to coverage). Cover may be off by 0.02, the mean colour by 0.005. The error that "
+          "(4 samples a pixel). Cover may be off by 0.02, the mean colour by 0.005. The error that "
           "may be made is " +
           digits3(plan.error_px) + " px.\n\n";
   for (const foliage::Law law : plan.laws)

@@ -17,7 +17,7 @@ using foliage::PreparedPlant;
 constexpr const char* kField = "Deussen 2005, field";
 constexpr const char* kPoints = "Deussen 2005, figure 10.17";
 constexpr const char* kForest = "forest";
-constexpr double kMostFullQuads = 1.5e6;  // that are drawn at once with all detail
+constexpr double kMostFullQuads = 2e5;  // that are drawn at once with all detail
 
 std::vector<Extent> extents_of(std::span<const PreparedPlant> plants) {
   std::vector<Extent> extents;

@@ -9,7 +9,7 @@
 namespace manzana::foliage_benchmark {
 namespace {
 
-constexpr std::uint64_t kLeastPairs = 5, kMostPairs = 50;
+constexpr std::uint64_t kLeastPairs = 3, kMostPairs = 50;
 
 double timed_ms(const std::function<void()>& work) {
   const auto start = apps::Clock::now();

@@ -11,7 +11,7 @@ struct PairTimes {
   std::uint64_t pairs = 0;
 };
 
-/// Each once untimed; then pairs of both, in an order that chance decides: at least 5, and more while `seconds` last.
+/// Each once untimed; then pairs of both, in an order that chance decides: at least 3, and more while `seconds` last.
 /// The interval is that of one process: too narrow by itself.
 PairTimes time_pairs(const std::function<void()>& way, const std::function<void()>& reference, double seconds,
                      std::uint64_t seed);

@@ -198,7 +198,7 @@ void Stage::begin(std::span<const foliage::Run> runs, const Shot& shot, const Ho
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, foliage::kBlockRowsBinding, rows_.name());
 }
 
-void Stage::extract_and_draw(Room& room, const Shot& shot, const HowDrawn& how) {
+void Stage::extract_and_draw(Room& room, const Shot& shot) {
   extract(extractor_, store_, in_view_);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, room.drawn.name());
   glViewport(0, 0, room.width, room.height);
@@ -213,7 +213,7 @@ void Stage::extract_and_draw(Room& room, const Shot& shot, const HowDrawn& how) 
   glClearNamedFramebufferfv(room.drawn.name(), GL_DEPTH, 0, &nothing.x);
   const double enlarged = static_cast<double>(room.width) / shot.width;
   draw_plants(programs_, store_, extractor_,
-              {static_cast<float>(shot.focal_px * enlarged), how.sampling == Sampling::product});
+              {static_cast<float>(shot.focal_px * enlarged), room.samples});
 }
 
 /// Means over squares of `factor` pixels.
@@ -249,7 +249,7 @@ Stage::Room& Stage::draw_into_room(std::span<const foliage::Run> runs, const Sho
   const int enlarged = fine ? shot.fine : 1;
   Room& room = room_for(shot.width * enlarged, shot.height * enlarged, fine ? 1 : 4);
   begin(runs, shot, how);
-  extract_and_draw(room, shot, how);
+  extract_and_draw(room, shot);
   return room;
 }
 

@@ -14,7 +14,7 @@
 namespace manzana::foliage_benchmark {
 
 /// fine: the mean of a picture so many times the size that leaves' pictures are resolved, as references are drawn;
-/// product: four samples a pixel, with alpha to coverage.
+/// product: four samples a pixel.
 enum class Sampling : std::uint8_t { fine, product };
 
 /// A camera and its picture's size. Plants stand on the plane z = 0 of the scene.
@@ -72,7 +72,7 @@ class Stage {
   static Room make_room(int width, int height, int samples);
   Room& room_for(int width, int height, int samples);
   void begin(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
-  void extract_and_draw(Room& room, const Shot& shot, const HowDrawn& how);
+  void extract_and_draw(Room& room, const Shot& shot);
   Room& draw_into_room(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
   static Picture read(Room& room, int factor);
 

@@ -1,10 +1,7 @@
 // The paper's experiments from outside: the files that the program leaves.
 #include <algorithm>
 
-#include "apps/common/csv.h"
 #include "tests/support/program.h"
-
-using namespace manzana::culling_benchmark;
 
 namespace {
 
