@@ -15,8 +15,7 @@ std::vector<apps::Column<Row>> common_columns() {
   using C = apps::Column<Row>;
   return {C{"plant", "", "", &Row::plant},
           C{"law", "", "of detail: full, ours, gumbau", &Row::law},
-          C{"sampling", "",
-            "fine: as the reference; product: 4 samples a pixel; moved: fine, half a pixel beside",
+          C{"sampling", "", "fine: as the reference; product: 4 samples a pixel; moved: fine, half a pixel beside",
             &Row::sampling},
           C{"height_px", "pixels", "of the plant", &Row::height_px},
           C{"error_px", "pixels", "that may be wrong", &Row::error_px},

@@ -107,13 +107,13 @@ void add_point_sweep(const Effort& effort, const PreparedPlant& plant, std::vect
 }
 
 /// Over the forest, then down into it.
-std::vector<Shot> forest_path(double half_m, int frames, const PreparedPlant& plant) {
+std::vector<Shot> forest_path(double half_m, int frames, int height_px, const PreparedPlant& plant) {
   std::vector<Shot> shots;
   for (int i = 0; i < frames; ++i) {
     const double t = frames > 1 ? static_cast<double>(i) / (frames - 1) : 0, top = static_cast<double>(plant.height_m);
     const double height = t < 0.5 ? top * (6 - 8 * t) : std::max(1.7, top * (4 - 6 * t));
     const Vec3d eye(-half_m * (1.1 - 1.2 * t), half_m * 0.1 * std::sin(6 * t), height);
-    shots.push_back(screen_shot(eye, {1, 0.2 * std::cos(5 * t), -0.35 + 0.4 * t}, 1280, 720));
+    shots.push_back(screen_shot(eye, {1, 0.2 * std::cos(5 * t), -0.35 + 0.4 * t}, height_px));
   }
   return shots;
 }
@@ -149,11 +149,11 @@ void add_deussen(const Effort& effort, std::span<const PreparedPlant> plants, Ti
   Scene scene(one, make_forest(one, count, spacing, 5));
   TimeRow row{.table = kField, .plant = plant.name, .way = "ours"};
   const auto high = static_cast<double>(plant.height_m);
-  scene.measure(screen_shot({-half * 1.2, 0, 2 * high}, {1, 0, -0.15}, 1280, 720), effort.seconds(), row);
+  scene.measure(screen_shot({-half * 1.2, 0, 2 * high}, {1, 0, -0.15}, effort.screen_height()), effort.seconds(), row);
   times.rows.push_back(std::move(row));
   add_point_sweep(effort, plant, times.rows);
   times.text +=
-      "## Deussen 2005: Digital Design of Nature, chapter 10\n\nA field of 1 500 plants, 1280 x 720, seen from its "
+      "## Deussen 2005: Digital Design of Nature, chapter 10\n\nA field of 1 500 plants, 16 : 9, seen from its "
       "edge.\n\n" +
       rows_md(times.rows, kField) +
       "Figure 10.17: leaves as c_p A / d'^2 points of d', a plant 64 px high, without quads. Where there are no more "
@@ -163,19 +163,20 @@ void add_deussen(const Effort& effort, std::span<const PreparedPlant> plants, Ti
 
 void add_forests(const Effort& effort, std::span<const PreparedPlant> plants, Times& times) {
   const auto species = plants.first(std::min<std::size_t>(plants.size(), 7));
-  const std::uint32_t trees = effort.quick ? 400 : 4000;
+  const std::uint32_t trees = effort.quick ? 200 : 4000;
   const double spacing = 1.8 * widest(species), half = spacing * std::sqrt(trees) / 2;
   Scene scene(species, make_forest(species, trees, spacing, 3));
   std::vector<double> frames_ms;
-  const auto path = forest_path(half, effort.quick ? 3 : 16, species.front());
+  const auto path = forest_path(half, effort.quick ? 2 : 16, effort.screen_height(), species.front());
   for (const Shot& shot : path) {
     TimeRow row{.table = kForest, .plant = std::to_string(species.size()) + " species"};
     row.way = "ours, frame " + std::to_string(&shot - path.data());
     scene.measure(shot, effort.quick ? 0 : 2, row, &frames_ms);
     times.rows.push_back(std::move(row));
   }
-  times.text += "## Forests\n\n" + apps::grouped(trees) + " trees of " + std::to_string(species.size()) +
-                " species, 1280 x 720, over the forest and into it; times by GL with extraction.\n\n" +
+  times.text += "## Forests\n\n" + apps::grouped(trees) + " trees of " + std::to_string(species.size()) + " species, " +
+                std::to_string(effort.screen_height()) +
+                " rows, over the forest and into it; times by GL with extraction.\n\n" +
                 forest_summary(times.rows, frames_ms) + rows_md(times.rows, kForest);
 }
 

@@ -70,13 +70,13 @@ std::uint64_t full_primitives(const Stage& stage, std::span<const foliage::Run> 
   return sum;
 }
 
-Shot screen_shot(const Vec3d& eye, const Vec3d& forward, int width, int height) {
+Shot screen_shot(const Vec3d& eye, const Vec3d& forward, int height_px) {
   constexpr double kFovY = std::numbers::pi / 3;
   Shot shot;
-  shot.width = width;
-  shot.height = height;
-  shot.focal_px = height / (2 * std::tan(kFovY / 2));
-  shot.view = culling::look(eye, forward, {0, 0, 1}, kFovY, static_cast<double>(width) / height);
+  shot.width = height_px * 16 / 9;
+  shot.height = height_px;
+  shot.focal_px = height_px / (2 * std::tan(kFovY / 2));
+  shot.view = culling::look(eye, forward, {0, 0, 1}, kFovY, static_cast<double>(shot.width) / height_px);
   return shot;
 }
 

@@ -17,7 +17,7 @@ std::uint64_t trees_of(std::span<const foliage::Run> runs);
 /// Primitives of all detail.
 std::uint64_t full_primitives(const Stage& stage, std::span<const foliage::Run> runs);
 
-/// A camera of a screen.
-Shot screen_shot(const Vec3d& eye, const Vec3d& forward, int width, int height);
+/// A camera of a screen, 16 : 9.
+Shot screen_shot(const Vec3d& eye, const Vec3d& forward, int height_px);
 
 }  // namespace manzana::foliage_benchmark

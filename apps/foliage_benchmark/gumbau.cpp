@@ -50,6 +50,7 @@ void add_extraction(const Effort& effort, const SourceTree& tree, const Prepared
     portrait.stage().extract_only({{portrait.run()}}, portrait.shot(), {});
   };
   for (std::size_t i = 0; i < kShares.size(); ++i) {
+    if (effort.quick && i != 1) continue;
     TimeRow row{.table = kTable2, .plant = plant.name, .way = percent(kShares[i]), .reference = "100 %"};
     set_times(time_pairs([&] { extract_at(kShares[i]); }, [&] { extract_at(1); }, effort.seconds(), i), row);
     row.source_value = tree.kernel_ms[i];

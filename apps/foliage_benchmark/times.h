@@ -34,7 +34,8 @@ struct Times {
 /// How long each measurement may take.
 struct Effort {
   bool quick = false;
-  double seconds() const { return quick ? 0.5 : 5; }
+  double seconds() const { return quick ? 0.2 : 5; }
+  int screen_height() const { return quick ? 360 : 720; }  ///< 16 : 9
 };
 
 void add_gumbau(const Effort& effort, Times& times);
