@@ -212,7 +212,10 @@ void Stage::extract_and_draw(Room& room, const Shot& shot) {
   glClearNamedFramebufferfv(room.drawn.name(), GL_COLOR, 1, &nothing.x);
   glClearNamedFramebufferfv(room.drawn.name(), GL_DEPTH, 0, &nothing.x);
   const double enlarged = static_cast<double>(room.width) / shot.width;
-  draw_plants(programs_, store_, extractor_, {static_cast<float>(shot.focal_px * enlarged), room.samples});
+  foliage::DrawPlantsOptions options;  // no wind
+  options.focal_px = static_cast<float>(shot.focal_px * enlarged);
+  options.samples = room.samples;
+  draw_plants(programs_, store_, extractor_, options);
 }
 
 /// Means over squares of `factor` pixels.
