@@ -1,5 +1,7 @@
 #pragma once
 /// Branches from the most important to the least.
+#include <span>
+
 #include "foliage/branch_shape.h"
 #include "foliage/prepare.h"
 

@@ -1,6 +1,8 @@
 #pragma once
 /// What a branch comes down to: a polyline of few points whose ribbon hides as much as the branch did, and the measures
 /// by which branches are put in order.
+#include <span>
+
 #include "foliage/plant.h"
 
 namespace manzana::foliage {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "foliage/few_cards.h"
 #include "foliage/leaf_image.h"
 #include "foliage/plant_mesh.h"
 #include "foliage/random.h"
@@ -15,9 +14,7 @@ namespace manzana::foliage {
 namespace {
 
 constexpr float kPi = 3.14159265F;
-constexpr float kRootDepth = 0.03F;       // of the height: the trunk goes into the ground, for slopes
-constexpr float kFineRadiusPx = 45;       // below it a leaf of the fine level is under a pixel
-constexpr std::size_t kCoarseCards = 40;  // 80 triangles
+constexpr float kRootDepth = 0.03F;  // of the height: the trunk goes into the ground, for slopes
 
 std::uint32_t triangles_of(const MeshPart& part) { return static_cast<std::uint32_t>(part.triangles()); }
 
@@ -29,19 +26,6 @@ void add_foot(std::vector<StemPoint>& points, float depth) {
   ring.radius = glm::mix(points[1].radius, points[0].radius, kFlareLeft);
   points[0].position.z -= depth;
   points.insert(points.begin() + 1, ring);
-}
-
-/// Three pieces of the trunk, three sides.
-MeshPart coarse_bark_of(const Skeleton& skeleton) {
-  const Stem& trunk = skeleton.stems.front();
-  std::vector<StemPoint> points;
-  const std::size_t step = (trunk.points.size() + 1) / 3;
-  for (std::size_t i = 0; i + 1 < trunk.points.size(); i += step) points.push_back(trunk.points[i]);
-  points.push_back(trunk.points.back());
-  points.front().position.z -= kRootDepth * trunk.length;
-  MeshPart bark;
-  add_tube(bark, points, trunk.length, 3, 2);
-  return bark;
 }
 
 Vec3 any_direction(Random& random) {
@@ -108,18 +92,10 @@ std::optional<OrganLook> organ_look(const SpeciesParams& species) {
   return OrganLook{species.organ == "fruit" ? Organ::fruit : Organ::flower, species.organ_rgb};
 }
 
-/// Of a plant whose organs come after its leaves.
-MeshPart without_organs(const Plant& plant) {
-  MeshPart leaves = plant.mesh.leaves;
-  for (const Terminal& t : plant.terminals)
-    if (t.organ != Organ::leaf) {
-      leaves.indices.resize(3 * std::size_t{t.triangles.first});
-      break;
-    }
-  return leaves;
-}
+}  // namespace
 
-Plant plant_of(const Skeleton& skeleton, const SpeciesParams& species, std::uint64_t seed) {
+Plant grow_plant(const SpeciesParams& species, std::uint64_t seed) {
+  const Skeleton skeleton = grow(species, seed);
   Plant plant;
   plant.name = species.name;
   for (const Stem& stem : skeleton.stems) {
@@ -136,26 +112,6 @@ Plant plant_of(const Skeleton& skeleton, const SpeciesParams& species, std::uint
     throw std::invalid_argument("species " + species.name + ": the plant has no size");
   CrownLight(plant.mesh.leaves).apply(plant.mesh);
   return plant;
-}
-
-}  // namespace
-
-Plant grow_plant(const SpeciesParams& species, std::uint64_t seed) {
-  return plant_of(grow(species, seed), species, seed);
-}
-
-PlantModel generate_plant(const SpeciesParams& species, std::uint64_t seed) {
-  const Skeleton skeleton = grow(species, seed);
-  Plant plant = plant_of(skeleton, species, seed);
-  const PlantSize size = measure(plant.mesh);
-  PlantMesh coarse{coarse_bark_of(skeleton), {}};
-  coarse.leaves =
-      few_cards({plant.mesh.bark, without_organs(plant)}, coarse.bark, {plant.leaf_image, size}, kCoarseCards);
-  CrownLight(plant.mesh.leaves).apply(coarse);
-  take_light(coarse.leaves, plant.mesh.leaves);
-  PlantModel model{plant.name, size.height, size.radius, std::move(plant.leaf_image), std::move(plant.bark_image), {}};
-  model.levels = {finish_level(plant.mesh, size, kFineRadiusPx), finish_level(coarse, size, 0)};
-  return model;
 }
 
 }  // namespace manzana::foliage

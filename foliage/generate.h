@@ -4,7 +4,6 @@
 #include <array>
 
 #include "foliage/plant.h"
-#include "foliage/plant_model.h"
 
 namespace manzana::foliage {
 
@@ -40,12 +39,9 @@ struct SpeciesParams {
 };
 
 /// A branch for each stem, a terminal for each leaf card, flower and fruit, leaves first; shaded, and normals bent
-/// outward. Otherwise as generate_plant().
+/// outward. A few thousand triangles; the same for a seed on every machine (counter hash). Throws std::invalid_argument
+/// for parameters that are not finite or out of range (negative curve_v, the paper's helix, among them), or would make
+/// more than 1 000 000 vertices. Cost: about 0.1 s, most of it the two images.
 Plant grow_plant(const SpeciesParams& species, std::uint64_t seed);
-
-/// Two levels, a few thousand triangles and under a hundred; the same for a seed on every machine (counter hash).
-/// Throws std::invalid_argument for parameters that are not finite or out of range (negative curve_v, the paper's
-/// helix, among them), or would make more than 1 000 000 vertices. Cost: about 0.1 s, most of it the two images.
-PlantModel generate_plant(const SpeciesParams& species, std::uint64_t seed);
 
 }  // namespace manzana::foliage

@@ -2,13 +2,14 @@
 /// A plant as its sources have it: branches and terminal nodes (leaves, flowers, fruit), never mixed. [Gadbem 2011,
 /// section 3.3.1]
 ///   Plant oak = grow_plant(species, seed);      // foliage/generate.h
-///   Plant pine = import_plant("pine.glb");      // foliage/import: glTF, OBJ, L-systems
+///   Plant pine = read_plant("pine.glb");        // foliage/import: glTF, OBJ, L-systems
 ///   PreparedPlant ready = prepare(oak);         // foliage/prepare.h
 /// Flat: a branch is a row, after its parent; its triangles and its centre line are runs.
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "foliage/image.h"
 #include "foliage/plant_mesh.h"
 
 namespace manzana::foliage {

@@ -10,35 +10,6 @@ constexpr float kHuge = 3e38F;
 
 float from_axis(const Vec3& p) { return std::sqrt(p.x * p.x + p.y * p.y); }
 
-/// Onto the unit cylinder's side and lid.
-Vec3 kept_inside(Vec3 p) {
-  const float r = from_axis(p);
-  if (r > 1) {
-    // Once more if rounding left it outside by a bit.
-    p.x /= r, p.y /= r;
-    if (from_axis(p) > 1) p.x *= 1 - 2e-7F, p.y *= 1 - 2e-7F;
-  }
-  p.z = std::min(p.z, 1.0F);
-  return p;
-}
-
-PlantVertex packed(const MeshVertex& v, const PlantSize& size, bool leaf) {
-  PlantVertex out{};
-  out.position = kept_inside(v.position / Vec3(size.radius, size.radius, size.height));
-  out.normal = pack_normal(v.normal);
-  out.u = pack_uv(v.uv.x);
-  out.v = pack_uv(v.uv.y);
-  out.shade = pack_shade(v.shade);
-  out.leaf = leaf ? 1 : 0;
-  return out;
-}
-
-void append(PlantLevel& level, const MeshPart& part, const PlantSize& size, bool leaf) {
-  const auto first = static_cast<std::uint32_t>(level.vertices.size());
-  for (const MeshVertex& v : part.vertices) level.vertices.push_back(packed(v, size, leaf));
-  for (const std::uint32_t i : part.indices) level.indices.push_back(first + i);
-}
-
 }  // namespace
 
 void add_quad(MeshPart& part, const std::array<MeshVertex, 4>& corners) {
@@ -115,28 +86,6 @@ void CrownLight::apply(PlantMesh& mesh) const {
   for (MeshPart* part : {&mesh.bark, &mesh.leaves})
     for (MeshVertex& v : part->vertices) v.shade = kDarkest + (1 - kDarkest) * ambient(v.position);
   for (MeshVertex& v : mesh.leaves.vertices) v.normal = bent_normal(v);
-}
-
-void take_light(MeshPart& coarse, const MeshPart& fine) {
-  if (fine.vertices.empty()) return;
-  const auto distance2 = [](const Vec3& a, const Vec3& b) { return glm::dot(a - b, a - b); };
-  for (MeshVertex& v : coarse.vertices) {
-    const MeshVertex& nearest =
-        *std::min_element(fine.vertices.begin(), fine.vertices.end(), [&](const auto& a, const auto& b) {
-          return distance2(a.position, v.position) < distance2(b.position, v.position);
-        });
-    v.shade = nearest.shade;
-    v.normal = nearest.normal;
-  }
-}
-
-PlantLevel finish_level(const PlantMesh& mesh, const PlantSize& size, float min_radius_px) {
-  PlantLevel level;
-  append(level, mesh.bark, size, false);
-  level.bark_indices = static_cast<std::uint32_t>(level.indices.size());
-  append(level, mesh.leaves, size, true);
-  level.min_radius_px = min_radius_px;
-  return level;
 }
 
 std::uint32_t pack_normal(const Vec3& normal) {

@@ -1,16 +1,18 @@
 #pragma once
-/// A plant in metres while it is built: bark and leaf triangles apart, full floats. finish_level() makes of it what is
-/// drawn. Shared by the generator and the importers.
+/// A plant's triangles in metres: bark and leaves apart, full floats; and how what is drawn packs them.
 #include <array>
-#include <span>
+#include <cstdint>
+#include <vector>
 
-#include "foliage/plant_model.h"
+#include "culling/vec.h"
 
 namespace manzana::foliage {
 
+inline constexpr float kUvRange = 8;  // bark repeats up to eight times
+
 struct MeshVertex {
   Vec3 position, normal;  ///< metres, z up; unit
-  Vec2 uv;                ///< as in PlantVertex, in [0, kUvRange]
+  Vec2 uv;                ///< in [0, kUvRange]; pictures repeat
   float shade = 1;        ///< ambient light that arrives
 };
 
@@ -35,7 +37,6 @@ void add_quad(MeshPart& part, const std::array<MeshVertex, 4>& corners);  ///< 0
 PlantSize measure(const PlantMesh& mesh);
 
 /// Normals of leaves bent away from the crown's middle, and shade by how much foliage light from the sky passes.
-/// Once for the finest level; coarser ones take their light from its grid.
 class CrownLight {
  public:
   explicit CrownLight(const MeshPart& leaves);
@@ -49,13 +50,6 @@ class CrownLight {
   Vec3 low_{0}, cell_{1};
   std::vector<float> density_;  // leaf area by volume, 1/m
 };
-
-/// Shade and normal from the nearest vertex of `fine`: corners of large cards stick out of the crown, and must not
-/// shine for that. Cost: the product of both counts.
-void take_light(MeshPart& coarse, const MeshPart& fine);
-
-/// Scaled to the size's unit cylinder; what sticks out of it is cut back to its surface.
-PlantLevel finish_level(const PlantMesh& mesh, const PlantSize& size, float min_radius_px);
 
 /// Signed normalised 10-10-10-2 of a unit vector.
 std::uint32_t pack_normal(const Vec3& normal);

@@ -1,5 +1,7 @@
 #pragma once
 /// Fewer triangles for one branch, of the same mean width.
+#include <span>
+
 #include "foliage/branch_shape.h"
 #include "foliage/simplify.h"
 

@@ -3,7 +3,8 @@
 /// the texels that are not transparent] Here weighted by alpha, and in linear light.
 #include <array>
 
-#include "foliage/plant_model.h"
+#include "culling/vec.h"
+#include "foliage/image.h"
 
 namespace manzana::foliage {
 

@@ -14,14 +14,14 @@ using baselines::City;
 using baselines::ObjectKind;
 using culling::BoxD;
 
-/// Of the plant that stands for each kind, at its finest level.
+/// Of the plant that stands for each kind, in full.
 std::array<std::uint32_t, 3> plant_triangles(std::uint64_t seed) {
   std::array<std::uint32_t, 3> triangles{};
   constexpr std::array<const char*, 3> kSpecies{"broadleaf", "conifer", "shrub"};  // as PlantKind has them
   static_assert(kSpecies.size() == static_cast<std::size_t>(PlantKind::count));
   for (std::size_t kind = 0; kind < kSpecies.size(); ++kind) {
-    const auto plant = foliage::generate_plant(foliage::builtin_species(kSpecies[kind]), seed);
-    triangles[kind] = static_cast<std::uint32_t>(plant.levels.front().indices.size() / 3);
+    const foliage::Plant plant = foliage::grow_plant(foliage::builtin_species(kSpecies[kind]), seed);
+    triangles[kind] = static_cast<std::uint32_t>(plant.mesh.bark.triangles() + plant.mesh.leaves.triangles());
   }
   return triangles;
 }

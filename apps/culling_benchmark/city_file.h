@@ -12,7 +12,7 @@ struct Scene;
 namespace manzana::culling_benchmark {
 
 /// `name` as import_city has it. Blocks enclose their objects and their half-streets; surfaces (streets, greens, water)
-/// count as ground. Triangles are those of the finest level. Throws std::runtime_error ("FILE: what") for a file that
+/// count as ground. Trees have all their triangles. Throws std::runtime_error ("FILE: what") for a file that
 /// cannot be read or holds no object.
 baselines::City read_city(const std::string& name, std::uint64_t seed);
 

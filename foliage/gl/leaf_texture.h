@@ -5,7 +5,7 @@
 /// [Castano 2010, "Computing Alpha Mipmaps"]
 #include <vector>
 
-#include "foliage/plant_model.h"
+#include "foliage/image.h"
 
 namespace manzana::foliage {
 

@@ -1,6 +1,6 @@
 #pragma once
 /// What stands between an untrusted glTF file and tinygltf: limits, the checks that tinygltf does not make, and file
-/// access that cannot leave the file's folder. Messages have no file name yet; import_plant() puts it before them.
+/// access that cannot leave the file's folder. Messages have no file name yet; read_plant() puts it before them.
 #include <filesystem>
 #include <optional>
 #include <span>

@@ -9,7 +9,6 @@
 #include <span>
 
 #include "foliage/import/assemble_plant.h"
-#include "foliage/plant_model.h"
 
 namespace manzana::foliage {
 
@@ -18,12 +17,8 @@ Plant read_plant(const std::filesystem::path& file);
 /// With what was taken for what.
 PlantReading examine_plant(const std::filesystem::path& file);
 
-/// Two levels: as it is, and reduced by meshoptimizer.
-PlantModel import_plant(const std::filesystem::path& file);
-
 /// The same from memory, without any file access: for fuzzing, and for embedders. `name` stands in messages.
 Plant read_plant(std::span<const unsigned char> bytes, const std::string& name);
 PlantReading examine_plant(std::span<const unsigned char> bytes, const std::string& name);
-PlantModel import_plant(std::span<const unsigned char> bytes, const std::string& name);
 
 }  // namespace manzana::foliage

@@ -3,7 +3,8 @@
 #include <optional>
 #include <span>
 
-#include "foliage/plant_model.h"
+#include "culling/vec.h"
+#include "foliage/image.h"
 
 namespace manzana::foliage {
 

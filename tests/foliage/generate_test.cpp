@@ -14,36 +14,54 @@ using namespace manzana::foliage;
 
 namespace {
 
-/// Largest distance from the axis of leaf vertices with z in [low, high); 0 without any.
-float crown_radius(const PlantLevel& level, float low, float high) {
+/// As shares of the plant's size: height, and distance from the axis.
+Vec3 scaled(const Vec3& p, const PlantSize& size) { return p / Vec3(size.radius, size.radius, size.height); }
+
+/// Largest distance from the axis of leaf vertices with z in [low, high), all scaled; 0 without any.
+float crown_radius(const Plant& plant, float low, float high) {
+  const PlantSize size = measure(plant.mesh);
   float r = 0;
-  for (const PlantVertex& v : level.vertices)
-    if (v.leaf && v.position.z >= low && v.position.z < high) r = std::max(r, radius(v.position));
+  for (const MeshVertex& v : plant.mesh.leaves.vertices) {
+    const Vec3 p = scaled(v.position, size);
+    if (p.z >= low && p.z < high) r = std::max(r, radius(p));
+  }
   return r;
 }
 
-float lowest_leaf(const PlantLevel& level) {
+float lowest_leaf(const Plant& plant) {
+  const PlantSize size = measure(plant.mesh);
   float z = 1;
-  for (const PlantVertex& v : level.vertices)
-    if (v.leaf) z = std::min(z, v.position.z);
+  for (const MeshVertex& v : plant.mesh.leaves.vertices) z = std::min(z, scaled(v.position, size).z);
   return z;
 }
+
+/// Of bark corners: the lowest, and the farthest from the axis below the ground; scaled.
+struct Foot {
+  float lowest = 1, off_axis = 0;
+  void add(const Vec3& p) {
+    lowest = std::min(lowest, p.z);
+    if (p.z < 0) off_axis = std::max(off_axis, radius(p));
+  }
+};
+
+void check_foot(const Foot& foot) {
+  CHECK(foot.lowest < 0);
+  CHECK(foot.lowest > -0.06F);
+  CHECK(foot.off_axis < 0.2F);
+}
+
 }  // namespace
 
-TEST_CASE("generated plants keep what plant.h promises, for all species and several seeds") {
+TEST_CASE("generated plants keep what plant.h and prepared_plant.h promise, for all species and several seeds") {
   for (const std::string_view species : kSpeciesNames) {
     for (const std::uint64_t seed : {1, 2, 77}) {
       INFO(species << " seed " << seed);
-      const PlantModel model = generate_plant(builtin_species(species), seed);
-      check_plant(model);
-      REQUIRE(model.levels.size() == 2);
-      const std::size_t fine = model.levels[0].indices.size() / 3, coarse = model.levels[1].indices.size() / 3;
-      CHECK(fine >= 1800);
-      CHECK(fine <= 20'000);
-      CHECK(coarse >= 60);
-      CHECK(coarse <= 100);
-      CHECK(model.levels[0].bark_indices > 0);
-      CHECK(model.levels[1].bark_indices > 0);
+      const Plant plant = grow_plant(builtin_species(species), seed);
+      check_plant(plant);
+      const std::size_t triangles = plant.mesh.bark.triangles() + plant.mesh.leaves.triangles();
+      CHECK(triangles >= 1800);
+      CHECK(triangles <= 20'000);
+      CHECK(plant.mesh.bark.triangles() > 0);
     }
   }
 }
@@ -93,27 +111,11 @@ TEST_CASE("a stem starts on its parent, and a leaf on its branch") {
   }
 }
 
-TEST_CASE("the coarse level covers what the fine one covers, within 15 per cent, from sides that were not fitted") {
-  for (const std::string_view species : kSpeciesNames) {
-    for (const std::uint64_t seed : {1, 5}) {
-      const PlantModel model = generate_plant(builtin_species(species), seed);
-      double fine = 0, coarse = 0;
-      for (const double angle : {0.0, 0.8, 1.8, 2.8}) {
-        fine += covered_share(model, model.levels[0], angle) / 4;
-        coarse += covered_share(model, model.levels[1], angle) / 4;
-      }
-      INFO(species << " seed " << seed << ": " << fine << " and " << coarse);
-      CHECK(fine > 0.15);
-      CHECK(std::abs(coarse / fine - 1) < 0.15);
-    }
-  }
-}
-
 TEST_CASE("a seed gives the same bytes, another seed others") {
   for (const std::string_view name : kSpeciesNames) {
     const SpeciesParams species = builtin_species(name);
-    CHECK(fnv(generate_plant(species, 3)) == fnv(generate_plant(species, 3)));
-    CHECK(fnv(generate_plant(species, 3)) != fnv(generate_plant(species, 4)));
+    CHECK(fnv(grow_plant(species, 3)) == fnv(grow_plant(species, 3)));
+    CHECK(fnv(grow_plant(species, 3)) != fnv(grow_plant(species, 4)));
   }
 }
 
@@ -124,43 +126,46 @@ TEST_CASE("the counter hash is splitmix64's") {
 TEST_CASE("species look like themselves") {
   for (const std::uint64_t seed : {1, 2, 3}) {
     INFO("seed " << seed);
-    const PlantModel conifer = generate_plant(builtin_species("conifer"), seed);
-    CHECK(lowest_leaf(conifer.levels[0]) < 0.15F);
-    CHECK(crown_radius(conifer.levels[0], 0.1F, 0.3F) > 1.4F * crown_radius(conifer.levels[0], 0.75F, 0.95F));
-    CHECK(conifer.height_m > 2.5F * conifer.crown_radius_m);
-    const PlantModel broadleaf = generate_plant(builtin_species("broadleaf"), seed);
-    CHECK(lowest_leaf(broadleaf.levels[0]) > 0.08F);
-    CHECK(crown_radius(broadleaf.levels[0], 0.45F, 0.75F) > crown_radius(broadleaf.levels[0], 0.9F, 1.01F));
-    const PlantModel shrub = generate_plant(builtin_species("shrub"), seed);
-    CHECK(lowest_leaf(shrub.levels[0]) < 0.15F);
-    CHECK(shrub.height_m < 4);
+    const Plant conifer = grow_plant(builtin_species("conifer"), seed);
+    CHECK(lowest_leaf(conifer) < 0.15F);
+    CHECK(crown_radius(conifer, 0.1F, 0.3F) > 1.4F * crown_radius(conifer, 0.75F, 0.95F));
+    CHECK(measure(conifer.mesh).height > 2.5F * measure(conifer.mesh).radius);
+    const Plant broadleaf = grow_plant(builtin_species("broadleaf"), seed);
+    CHECK(lowest_leaf(broadleaf) > 0.08F);
+    CHECK(crown_radius(broadleaf, 0.45F, 0.75F) > crown_radius(broadleaf, 0.9F, 1.01F));
+    const Plant shrub = grow_plant(builtin_species("shrub"), seed);
+    CHECK(lowest_leaf(shrub) < 0.15F);
+    CHECK(measure(shrub.mesh).height < 4);
   }
 }
 
 TEST_CASE("trunks stand on the axis and reach into the ground") {
   for (const char* species : {"broadleaf", "conifer"}) {
-    const PlantModel model = generate_plant(builtin_species(species), 9);
-    for (const PlantLevel& level : model.levels) {
-      float lowest = 1, off_axis = 0;
-      for (const PlantVertex& v : level.vertices) {
-        if (v.leaf) continue;
-        lowest = std::min(lowest, v.position.z);
-        if (v.position.z < 0) off_axis = std::max(off_axis, radius(v.position));
-      }
-      CHECK(lowest < 0);
-      CHECK(lowest > -0.06F);
-      CHECK(off_axis < 0.2F);
+    const Plant plant = grow_plant(builtin_species(species), 9);
+    const PlantSize size = measure(plant.mesh);
+    Foot grown;
+    for (const MeshVertex& v : plant.mesh.bark.vertices) grown.add(scaled(v.position, size));
+    check_foot(grown);
+    const PreparedPlant ready = prepared_blind(plant);
+    for (const BranchLevel& level : ready.branch_levels) {
+      Foot drawn;
+      for (std::uint32_t q = level.quads.first; q < level.quads.last; ++q)
+        for (const PlantQuad::Corner& c : ready.bark[q].corners) drawn.add(scaled(c.position, size));
+      INFO(species << " level of " << level.quads.size() << " quads");
+      check_foot(drawn);
     }
   }
 }
 
 TEST_CASE("inner leaves are darker than outer ones") {
-  const PlantModel model = generate_plant(builtin_species("broadleaf"), 1);
+  const Plant plant = grow_plant(builtin_species("broadleaf"), 1);
+  const PlantSize size = measure(plant.mesh);
   double inner = 0, outer = 0, inner_count = 0, outer_count = 0;
-  for (const PlantVertex& v : model.levels[0].vertices) {
-    if (!v.leaf || v.position.z < 0.4F || v.position.z > 0.7F) continue;
-    const bool in = radius(v.position) < 0.3F;
-    (in ? inner : outer) += v.shade;
+  for (const MeshVertex& v : plant.mesh.leaves.vertices) {
+    const Vec3 p = scaled(v.position, size);
+    if (p.z < 0.4F || p.z > 0.7F) continue;
+    const bool in = radius(p) < 0.3F;
+    (in ? inner : outer) += static_cast<double>(v.shade);
     (in ? inner_count : outer_count) += 1;
   }
   REQUIRE(inner_count > 0);
@@ -232,7 +237,7 @@ TEST_CASE("parameters that cannot be drawn are refused") {
   const auto refused = [](auto&& change) {
     SpeciesParams species = builtin_species("broadleaf");
     change(species);
-    CHECK_THROWS_AS(generate_plant(species, 1), std::invalid_argument);
+    CHECK_THROWS_AS(grow_plant(species, 1), std::invalid_argument);
   };
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
   refused([&](SpeciesParams& s) { s.scale = nan; });
@@ -248,13 +253,4 @@ TEST_CASE("parameters that cannot be drawn are refused") {
   refused([&](SpeciesParams& s) { s.organ = "fruit", s.organs = -1; });
   refused([&](SpeciesParams& s) { s.leaves = 10'000; });                                       // too many vertices
   refused([&](SpeciesParams& s) { s.stems[1].seg_splits = 10, s.stems[1].curve_res = 100; });  // splits explode
-}
-
-TEST_CASE("select_level takes the coarser level below the radius on the screen") {
-  const PlantModel model = generate_plant(builtin_species("shrub"), 1);
-  const double edge = static_cast<double>(model.levels[0].min_radius_px);
-  CHECK(select_level(model, 1000) == 0);
-  CHECK(select_level(model, edge) == 0);
-  CHECK(select_level(model, edge - 0.001) == 1);
-  CHECK(select_level(model, 0) == 1);
 }

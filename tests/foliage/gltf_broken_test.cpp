@@ -11,10 +11,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What import_plant says, or nothing if it reads the file.
+/// What read_plant says, or nothing if it reads the file.
 std::string complaint(const fs::path& file) {
   try {
-    check_plant(import_plant(file));
+    check_plant(read_plant(file));
     return "";
   } catch (const std::runtime_error& error) {
     return error.what();
@@ -135,7 +135,7 @@ TEST_CASE("a relative file beside the working directory is still held to its own
 TEST_CASE("files from memory read no others") {
   const std::string text = with_buffer("good.bin");
   const std::span bytes(reinterpret_cast<const unsigned char*>(text.data()), text.size());
-  CHECK_THROWS_WITH(import_plant(bytes, "memory"), Catch::StartsWith("memory: refers to the file good.bin"));
+  CHECK_THROWS_WITH(read_plant(bytes, "memory"), Catch::StartsWith("memory: refers to the file good.bin"));
 }
 
 TEST_CASE("plants of no size, or of more than a million metres, are refused") {
@@ -180,7 +180,7 @@ TEST_CASE("a GLB cut or altered anywhere is refused or read, never worse") {
   const std::string good((std::istreambuf_iterator<char>(in)), {});
   const auto tried = [](const std::string& bytes) {
     try {
-      check_plant(import_plant(std::span(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()), "it"));
+      check_plant(read_plant(std::span(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()), "it"));
       return 1;
     } catch (const std::runtime_error&) {
       return 0;

@@ -267,7 +267,7 @@ TEST_CASE("pictures that are bombs are refused before they are decoded") {
   CHECK_THROWS_WITH(decode_picture(std::vector<unsigned char>{'G', 'I', 'F', '8'}), Catch::Contains("neither"));
 }
 
-TEST_CASE("real trees: kinds told apart, levels within their sizes") {
+TEST_CASE("real trees: kinds told apart, of the right height") {
   const struct {
     const char* file;
     bool leaves;
@@ -284,43 +284,24 @@ TEST_CASE("real trees: kinds told apart, levels within their sizes") {
     const auto file = data_file(c.file);
     if (!file) return;
     INFO(c.file);
-    const PlantModel model = import_plant(*file);
-    check_plant(model);
-    REQUIRE(model.levels.size() == 2);
-    CHECK(static_cast<double>(model.height_m) == Approx(c.height).epsilon(0.01));
-    CHECK(model.levels[0].bark_indices > 0);
-    CHECK((model.levels[0].bark_indices < model.levels[0].indices.size()) == c.leaves);
-    CHECK(model.levels[0].indices.size() / 3 <= 21'000);
-    CHECK(model.levels[1].indices.size() / 3 <= 160);
-    CHECK(model.levels[1].indices.size() > 0);
+    const Plant plant = read_plant(*file);
+    check_plant(plant);
+    CHECK(static_cast<double>(measure(plant.mesh).height) == Approx(c.height).epsilon(0.01));
+    CHECK(plant.mesh.bark.triangles() > 0);
+    CHECK((plant.mesh.leaves.triangles() > 0) == c.leaves);
   }
 }
 
 TEST_CASE("leaf textures of real trees keep their alpha, bark is opaque") {
   const auto file = data_file("trees/oak_medium.glb");
   if (!file) return;
-  const PlantModel model = import_plant(*file);
+  const Plant plant = read_plant(*file);
   std::size_t holes = 0, bark_holes = 0;
-  for (std::size_t i = 3; i < model.leaf.rgba.size(); i += 4) {
-    holes += model.leaf.rgba[i] < 128;
-    bark_holes += model.bark.rgba[i] < 255;
+  for (std::size_t i = 3; i < plant.leaf_image.rgba.size(); i += 4) {
+    holes += plant.leaf_image.rgba[i] < 128;
+    bark_holes += plant.bark_image.rgba[i] < 255;
   }
   CHECK(holes > 256 * 256 / 4);
   CHECK(holes < 256 * 256 * 9 / 10);
   CHECK(bark_holes == 0);
-}
-
-TEST_CASE("the coarse level of a real tree covers what the fine one covers, within 15 per cent") {
-  for (const char* name : {"trees/oak_medium.glb", "treemodel/eztree-bush_1.glb", "treemodel/eztree-aspen_small.glb"}) {
-    const auto file = data_file(name);
-    if (!file) return;
-    const PlantModel model = import_plant(*file);
-    double fine = 0, coarse = 0;
-    for (const double angle : {0.0, 0.8, 1.8, 2.8}) {
-      fine += covered_share(model, model.levels[0], angle) / 4;
-      coarse += covered_share(model, model.levels[1], angle) / 4;
-    }
-    INFO(name << ": " << fine << " and " << coarse);
-    CHECK(std::abs(coarse / fine - 1) < 0.15);
-  }
 }

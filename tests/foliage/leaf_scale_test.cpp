@@ -2,17 +2,19 @@
 #include "foliage/leaf_scale.h"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
 #include "foliage/cell_visibility.h"
 #include "foliage/generate.h"
+#include "foliage/import/gltf_plant.h"
 #include "foliage/import/species.h"
 #include "foliage/lod_factor.h"
 #include "foliage/octahedral.h"
 #include "foliage/prepare.h"
 #include "foliage/raster.h"
+#include "tests/foliage/plant_checks.h"
+#include "tests/support/data.h"
 
 namespace manzana::foliage {
 namespace {
@@ -65,7 +67,94 @@ double covered(const PreparedPlant& plant) {
   return sum;
 }
 
+/// An oracle: a view from the side, every sample against every triangle. Its frame is twice the rectangle of the
+/// plant's size, as few large leaves reach beyond it.
+struct SideView {
+  static constexpr int kSide = 240, kPlant = kSide / 2;
+  const PreparedPlant& plant;
+  double angle;
+  std::vector<char> hit = std::vector<char>(std::size_t{kSide} * kSide, 0);
+
+  struct Corner {
+    double x, y, u, v;
+  };
+  Corner project(const PlantQuad::Corner& c) const {
+    const double across =
+        static_cast<double>(c.position.x) * std::cos(angle) + static_cast<double>(c.position.y) * std::sin(angle);
+    return {across / static_cast<double>(plant.crown_radius_m) * kPlant / 2 + kSide / 2,
+            static_cast<double>(c.position.z / plant.height_m) * kPlant + kPlant / 2, c.u * 8.0 / 65535,
+            c.v * 8.0 / 65535};
+  }
+
+  bool hole(double u, double v) const {
+    const int x = static_cast<int>(u * 256) & 255, y = static_cast<int>(v * 256) & 255;
+    return plant.leaf_image.rgba[static_cast<std::size_t>(4 * (y * 256 + x) + 3)] < 128;
+  }
+
+  void triangle(const Corner& a, const Corner& b, const Corner& c, bool leaf) {
+    const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    if (area == 0) return;
+    const int x0 = std::max(0, static_cast<int>(std::min({a.x, b.x, c.x}))),
+              y0 = std::max(0, static_cast<int>(std::min({a.y, b.y, c.y})));
+    for (int y = y0; y < kSide && y <= std::max({a.y, b.y, c.y}); ++y) {
+      for (int x = x0; x < kSide && x <= std::max({a.x, b.x, c.x}); ++x) {
+        const double px = x + 0.5, py = y + 0.5;
+        const double wb = ((px - a.x) * (c.y - a.y) - (py - a.y) * (c.x - a.x)) / area;
+        const double wc = ((b.x - a.x) * (py - a.y) - (b.y - a.y) * (px - a.x)) / area;
+        if (wb < 0 || wc < 0 || wb + wc > 1) continue;
+        if (!leaf || !hole(a.u + wb * (b.u - a.u) + wc * (c.u - a.u), a.v + wb * (b.v - a.v) + wc * (c.v - a.v)))
+          hit[static_cast<std::size_t>(y * kSide + x)] = 1;
+      }
+    }
+  }
+
+  void quad(const PlantQuad& quad, bool leaf) {
+    const Corner a = project(quad.corners[0]), c = project(quad.corners[2]);
+    triangle(a, project(quad.corners[1]), c, leaf);
+    triangle(a, c, project(quad.corners[3]), leaf);
+  }
+};
+
+/// Of the plant's rectangle.
+double covered_share(const PreparedPlant& plant, double angle) {
+  SideView view{plant, angle};
+  for (std::uint32_t q = finest_bark(plant).first; q < finest_bark(plant).last; ++q) view.quad(plant.bark[q], false);
+  for (const PlantQuad& quad : plant.leaves) view.quad(quad, true);
+  return static_cast<double>(std::count(view.hit.begin(), view.hit.end(), 1)) / (SideView::kPlant * SideView::kPlant);
+}
+
+/// Few leaves of a whole plant, from sides that were not fitted.
+void check_coverage_kept(const PreparedPlant& plant) {
+  double all = 0;
+  constexpr double kAngles[] = {0.0, 0.8, 1.8, 2.8};
+  for (const double angle : kAngles) all += covered_share(plant, angle) / 4;
+  CHECK(all > 0.15);
+  for (const std::size_t i : {4U, 8U, 12U}) {
+    const double u = std::exp2(-0.5 * static_cast<double>(i));
+    const PreparedPlant few = thinned(plant, u, plant.leaf_scale[i]);
+    double now = 0;
+    for (const double angle : kAngles) now += covered_share(few, angle) / 4;
+    INFO(plant.name << " u " << u << ": " << all << " and " << now << ", of " << plant.leaves.size() << " leaves "
+                    << few.leaves.size());
+    CHECK(std::abs(now / all - 1) < 0.15);
+  }
+}
+
 }  // namespace
+
+TEST_CASE("few leaves of every species cover with the bark what all do, within 15 per cent, from the side") {
+  for (const std::string_view species : kSpeciesNames)
+    for (const std::uint64_t seed : {1, 5})
+      check_coverage_kept(prepared_blind(grow_plant(builtin_species(species), seed)));
+}
+
+TEST_CASE("few leaves of a real tree cover with the bark what all do, within 15 per cent, from the side") {
+  for (const char* name : {"trees/oak_medium.glb", "treemodel/eztree-bush_1.glb", "treemodel/eztree-aspen_small.glb"}) {
+    const auto file = data_file(name);
+    if (!file) return;
+    check_coverage_kept(prepared_blind(read_plant(*file)));
+  }
+}
 
 TEST_CASE("few leaves at the fitted size cover what all did") {
   const PreparedPlant plant = grown("oak");

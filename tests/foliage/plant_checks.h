@@ -1,10 +1,11 @@
 #pragma once
-/// What must hold for every plant, and an oracle for coverage that works on the packed levels.
+/// What must hold for every plant, as it is read or grown and as it is prepared.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstring>
+#include <initializer_list>
 
-#include "foliage/plant.h"
+#include "foliage/prepare.h"
 
 namespace manzana::foliage {
 
@@ -17,49 +18,6 @@ inline Vec3 unpack_normal(std::uint32_t packed) {
 }
 
 inline float radius(const Vec3& p) { return std::hypot(p.x, p.y); }
-
-inline void check_level(const PlantLevel& level) {
-  REQUIRE(level.indices.size() % 3 == 0);
-  REQUIRE(level.bark_indices % 3 == 0);
-  REQUIRE(level.bark_indices <= level.indices.size());
-  bool indices_valid = true, bark_first = true, normals_unit = true, inside = true;
-  for (std::size_t i = 0; i < level.indices.size(); ++i) {
-    indices_valid = indices_valid && level.indices[i] < level.vertices.size();
-    bark_first =
-        bark_first && indices_valid && level.vertices[level.indices[i]].leaf == (i < level.bark_indices ? 0 : 1);
-  }
-  for (const PlantVertex& v : level.vertices) {
-    normals_unit = normals_unit && std::abs(glm::length(unpack_normal(v.normal)) - 1) < 0.005F;  // 10 bits
-    inside = inside && radius(v.position) <= 1 + 1e-6F && v.position.z <= 1;
-  }
-  CHECK(indices_valid);
-  CHECK(bark_first);
-  CHECK(normals_unit);
-  CHECK(inside);
-}
-
-/// Bounds, order, indices and normals of all levels; the finest touches the unit cylinder's side and lid.
-inline void check_plant(const PlantModel& model) {
-  INFO(model.name);
-  REQUIRE(!model.levels.empty());
-  for (const PlantLevel& level : model.levels) check_level(level);
-  float top = -1, widest = 0;
-  for (const PlantVertex& v : model.levels.front().vertices) {
-    top = std::max(top, v.position.z);
-    widest = std::max(widest, radius(v.position));
-  }
-  CHECK(top == Approx(1).margin(1e-6));
-  CHECK(widest == Approx(1).margin(1e-6));
-  CHECK(model.height_m > 0);
-  CHECK(model.crown_radius_m > 0);
-  CHECK(model.levels.back().min_radius_px == 0);
-  for (std::size_t i = 1; i < model.levels.size(); ++i)
-    CHECK(model.levels[i].min_radius_px < model.levels[i - 1].min_radius_px);
-  for (const Image* image : {&model.leaf, &model.bark}) {
-    CHECK(image->size == 256);
-    CHECK(image->rgba.size() == 256 * 256 * 4);
-  }
-}
 
 /// What foliage/plant.h promises of rows and runs.
 inline void check_runs(const Plant& plant) {
@@ -102,52 +60,54 @@ inline std::uint64_t fnv(const void* data, std::size_t size, std::uint64_t h = 1
   return h;
 }
 
-inline std::uint64_t fnv(const PlantModel& model) {
-  std::uint64_t h = fnv(model.leaf.rgba.data(), model.leaf.rgba.size());
-  h = fnv(model.bark.rgba.data(), model.bark.rgba.size(), h);
-  for (const PlantLevel& level : model.levels) {
-    h = fnv(level.vertices.data(), level.vertices.size() * sizeof(PlantVertex), h);
-    h = fnv(level.indices.data(), level.indices.size() * sizeof(std::uint32_t), h);
+inline std::uint64_t fnv(const Plant& plant) {
+  std::uint64_t h = fnv(plant.leaf_image.rgba.data(), plant.leaf_image.rgba.size());
+  h = fnv(plant.bark_image.rgba.data(), plant.bark_image.rgba.size(), h);
+  for (const MeshPart* part : {&plant.mesh.bark, &plant.mesh.leaves}) {
+    h = fnv(part->vertices.data(), part->vertices.size() * sizeof(MeshVertex), h);
+    h = fnv(part->indices.data(), part->indices.size() * sizeof(std::uint32_t), h);
   }
-  return h;
+  return fnv(plant.centre_lines.data(), plant.centre_lines.size() * sizeof(CentrePoint), h);
 }
 
-/// Share of the unit cylinder's rectangle that is covered, from the side; every sample against every triangle.
-inline double covered_share(const PlantModel& model, const PlantLevel& level, double angle) {
-  constexpr int kWide = 120, kHigh = 120;
-  struct Corner {
-    double x, y, u, v;
-  };
-  const auto project = [&](const PlantVertex& p) {
-    return Corner{(static_cast<double>(p.position.x) * std::cos(angle) +
-                   static_cast<double>(p.position.y) * std::sin(angle) + 1) /
-                      2 * kWide,
-                  static_cast<double>(p.position.z) * kHigh, p.u * 8.0 / 65535, p.v * 8.0 / 65535};
-  };
-  std::vector<char> hit(kWide * kHigh, 0);
-  for (std::size_t t = 0; t < level.indices.size(); t += 3) {
-    const Corner a = project(level.vertices[level.indices[t]]), b = project(level.vertices[level.indices[t + 1]]),
-                 c = project(level.vertices[level.indices[t + 2]]);
-    const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-    if (area == 0) continue;
-    const int x0 = std::max(0, static_cast<int>(std::min({a.x, b.x, c.x}))),
-              y0 = std::max(0, static_cast<int>(std::min({a.y, b.y, c.y})));
-    for (int y = y0; y < kHigh && y <= std::max({a.y, b.y, c.y}); ++y) {
-      for (int x = x0; x < kWide && x <= std::max({a.x, b.x, c.x}); ++x) {
-        const double px = x + 0.5, py = y + 0.5;
-        const double wb = ((px - a.x) * (c.y - a.y) - (py - a.y) * (c.x - a.x)) / area;
-        const double wc = ((b.x - a.x) * (py - a.y) - (b.y - a.y) * (px - a.x)) / area;
-        if (wb < 0 || wc < 0 || wb + wc > 1) continue;
-        const int u = static_cast<int>((a.u + wb * (b.u - a.u) + wc * (c.u - a.u)) * 256) & 255;
-        const int v = static_cast<int>((a.v + wb * (b.v - a.v) + wc * (c.v - a.v)) * 256) & 255;
-        if (t < level.bark_indices || model.leaf.rgba[static_cast<std::size_t>(4 * (v * 256 + u) + 3)] >= 128)
-          hit[static_cast<std::size_t>(y * kWide + x)] = 1;
+/// Normals of unit length, nothing outside of the cylinder of the plant's size, and that touched at its side and lid.
+inline void check_quads(const PreparedPlant& ready) {
+  bool normals_unit = true;
+  float top = 0, widest = 0;
+  for (const auto* quads : {&ready.bark, &ready.leaves}) {
+    for (const PlantQuad& quad : *quads) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        normals_unit = normals_unit && std::abs(glm::length(unpack_normal(quad.normals[k])) - 1) < 0.005F;  // 10 bits
+        top = std::max(top, quad.corners[k].position.z);
+        widest = std::max(widest, radius(quad.corners[k].position));
       }
     }
   }
-  double sum = 0;
-  for (const char h : hit) sum += h;
-  return sum / (kWide * kHigh);
+  CHECK(normals_unit);
+  CHECK(top == Approx(ready.height_m).epsilon(1e-6));
+  CHECK(widest == Approx(ready.crown_radius_m).epsilon(1e-6));
+}
+
+inline PreparedPlant prepared_blind(const Plant& plant) { return prepare(plant, {.visibility_side = 0}); }
+
+/// Of a plant and of what is drawn of it: rows and runs, size, images, normals; and of each class what there was.
+inline void check_plant(const Plant& plant) {
+  INFO(plant.name);
+  check_runs(plant);
+  const PlantSize size = measure(plant.mesh);
+  CHECK(size.height > 0);
+  CHECK(size.radius > 0);
+  for (const Image* image : {&plant.leaf_image, &plant.bark_image}) {
+    CHECK(image->size == 256);
+    CHECK(image->rgba.size() == 256 * 256 * 4);
+  }
+  const PreparedPlant ready = prepared_blind(plant);
+  CHECK_NOTHROW(check(ready));
+  CHECK(ready.height_m == size.height);
+  CHECK(ready.crown_radius_m == size.radius);
+  CHECK(ready.bark.empty() == plant.mesh.bark.indices.empty());
+  CHECK(ready.leaves.empty() == plant.mesh.leaves.indices.empty());
+  check_quads(ready);
 }
 
 }  // namespace manzana::foliage
