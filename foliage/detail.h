@@ -10,7 +10,8 @@ namespace manzana::foliage {
 enum class Law : std::uint8_t {
   full,  ///< everything, always: the reference
   ours,  ///< leaf quads while they are larger than a pixel or so, then points; thin branches as ribbons
-  prune  ///< [Gumbau 2009, equation 1] leaf quads only: u = z^(-log_h 2), scaled to keep coverage, times what is seen of a cell
+  prune  ///< [Gumbau 2009, equation 1] leaf quads only: u = z^(-log_h 2), scaled to keep coverage, times what is seen
+         ///< of a cell
 };
 Law law_named(std::string_view name);  ///< full, ours, gumbau; throws std::invalid_argument
 const char* name_of(Law law);

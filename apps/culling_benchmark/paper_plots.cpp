@@ -9,8 +9,8 @@
 namespace manzana::paper {
 namespace {
 
-using apps::to_cell;
 using apps::Script;
+using apps::to_cell;
 
 /// As in the paper: yellow without a structure, red the R-tree, blue the BqR-Tree.
 struct Line {

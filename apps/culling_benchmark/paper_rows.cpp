@@ -68,8 +68,8 @@ class RowMaker {
       ratios.push_back(part_sum(lane, quantity, part, run_.options.parts) /
                        part_sum(reference, quantity, part, run_.options.parts));
     const auto interval = apps::median_interval(ratios);
-    row.ratio = quantity == triangle_count ? mean(lane, quantity) / mean(reference, quantity)
-                                           : apps::median_ratio(ratios);
+    row.ratio =
+        quantity == triangle_count ? mean(lane, quantity) / mean(reference, quantity) : apps::median_ratio(ratios);
     row.ratio_to = ratio_to;
     row.reference = mean(reference, quantity);
     if (quantity != triangle_count) row.ratio_lo = interval.low, row.ratio_hi = interval.high;

@@ -13,7 +13,8 @@ namespace manzana::walkthrough {
 
 /// What lives from frame to frame. The scene must outlive it; a GL context must be current.
 struct Stage {
-  Stage(const Scene& city, std::span<const foliage::PreparedPlant> plants, const draw::Quality& quality, draw::Size size);
+  Stage(const Scene& city, std::span<const foliage::PreparedPlant> plants, const draw::Quality& quality,
+        draw::Size size);
   double aspect() const { return static_cast<double>(size.width) / static_cast<double>(size.height); }
   void resize(draw::Size new_size);
 
