@@ -45,6 +45,11 @@ void fill_levels(const std::vector<T>& levels, const char* what, glm::uvec4* out
   std::transform(levels.begin(), levels.end(), out, row);
 }
 
+glsl::Twin twin_of(const PlantTable& table, const TreesSeen& seen) {
+  return {seen.sites,    seen.block_rows, table.plants, table.cells,
+          table.details, table.steps,     table.views,  error2_at_1m(seen.error_at_1m)};
+}
+
 }  // namespace
 
 PlantTable make_plant_table(std::span<const PreparedPlant> plants) {
@@ -107,9 +112,12 @@ TreeSite make_site(const PreparedPlant& plant, std::uint32_t index, float height
 
 float error2_at_1m(double error_at_1m) { return static_cast<float>(error_at_1m * error_at_1m); }
 
+Detail detail_at(const PlantTable& table, std::uint32_t plant, float error2) {
+  return twin_of(table, {}).detail_at(plant, error2);
+}
+
 void select(const PlantTable& table, const TreesSeen& seen, Selection& selection) {
-  glsl::Twin twin{seen.sites,    seen.block_rows, table.plants, table.cells,
-                  table.details, table.steps,     table.views,  error2_at_1m(seen.error_at_1m)};
+  glsl::Twin twin = twin_of(table, seen);
   selection.trees.clear();
   selection.items.clear();
   selection.item_first.assign(1, 0);

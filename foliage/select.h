@@ -65,6 +65,9 @@ struct TreesSeen {
 };
 void select(const PlantTable& table, const TreesSeen& seen, Selection& selection);
 
+/// What a plant shows where the square of so much may be wrong: between the two rows of its table.
+Detail detail_at(const PlantTable& table, std::uint32_t plant, float error2);
+
 /// As the shader has it.
 float error2_at_1m(double error_at_1m);
 

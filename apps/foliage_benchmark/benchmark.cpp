@@ -1,5 +1,6 @@
 #include "apps/foliage_benchmark/benchmark.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "apps/common/machine.h"
@@ -7,6 +8,7 @@
 #include "apps/common/png.h"
 #include "apps/common/progress_bar.h"
 #include "apps/foliage_benchmark/errors_report.h"
+#include "apps/foliage_benchmark/popping.h"
 #include "apps/foliage_benchmark/times.h"
 #include "files/whole_file.h"
 #include "foliage/import/load_plant.h"
@@ -51,8 +53,8 @@ ErrorPlan plan_of(const Options& options) {
   return plan;
 }
 
-void write_sheet(const std::filesystem::path& file, const Picture& sheet) {
-  apps::write_png(file, sheet.width, sheet.height, to_rgb8(sheet));
+void write_picture(const std::filesystem::path& file, const Picture& picture) {
+  apps::write_png(file, picture.width, picture.height, to_rgb8(picture));
 }
 
 constexpr std::array kSheetHeights{256.0, 128.0, 64.0, 32.0, 16.0};
@@ -60,8 +62,8 @@ constexpr std::array kSheetHeights{256.0, 128.0, 64.0, 32.0, 16.0};
 void write_sheets(const Options& options, std::span<const foliage::PreparedPlant> plants) {
   Stage stage(plants, sites_of(plants));
   for (std::uint32_t i = 0; i < plants.size(); ++i)
-    write_sheet(options.out / ("sheet_" + plants[i].name + ".png"),
-                contact_sheet(stage, i, extent_of(plants[i]), foliage::Law::ours, options.error_px, kSheetHeights));
+    write_picture(options.out / ("sheet_" + plants[i].name + ".png"),
+                  contact_sheet(stage, i, extent_of(plants[i]), foliage::Law::ours, options.error_px, kSheetHeights));
 }
 
 std::vector<Verdict> write_errors(const Options& options, std::span<const foliage::PreparedPlant> plants,
@@ -74,9 +76,26 @@ std::vector<Verdict> write_errors(const Options& options, std::span<const foliag
   return verdicts;
 }
 
+std::string write_popping(const Options& options, std::span<const foliage::PreparedPlant> plants) {
+  PopPlan plan;
+  plan.error_px = options.error_px;
+  if (options.quick) plan = {{64}, 1.4, options.error_px, nullptr};
+  apps::ProgressBar bar(stderr);
+  std::vector<PopRow> rows;
+  for (const Popped& popped : measure_popping(plants, plan, [&](double done) { bar.show("popping", done); })) {
+    const PopRow& row = rows.emplace_back(popped.row);
+    const std::string name =
+        "popping_" + row.plant + "_" + row.moving + "_" + std::to_string(std::lround(row.height_px)) + ".png";
+    write_picture(options.out / name, popped.sheet);
+  }
+  files::write_whole(options.out / "popping.csv", apps::to_csv<PopRow>(rows, pop_columns()));
+  return popping_md(rows);
+}
+
 std::string columns_md() {
   return "# Columns\n\n## runs.csv: one picture each\n" + apps::explain(error_columns()) +
          "\n## summary.csv: means over the views\n" + apps::explain(verdict_columns()) +
+         "\n## popping.csv: faded against unfaded\n" + apps::explain(pop_columns()) +
          "\n## times.csv: two ways timed in turn\n" + apps::explain(time_columns());
 }
 
@@ -114,6 +133,7 @@ int run_benchmark(const Options& options) {
   const auto plants = plants_of(options);
   const ErrorPlan plan = plan_of(options);
   const auto verdicts = write_errors(options, plants, plan);
+  const std::string popping = write_popping(options, plants);
   write_sheets(options, plants);
   const Times times = options.errors_only ? Times{} : measure_times(options.quick, plants);
   if (!times.rows.empty())
@@ -123,7 +143,7 @@ int run_benchmark(const Options& options) {
   plots.insert(plots.end(), times.plots.begin(), times.plots.end());
   const auto drawn = apps::draw_all(options.out, plots);
   files::write_whole(options.out / "report.md",
-                     head_md(options, plants) + errors_md(verdicts, plan) + times.text + plots_md(drawn));
+                     head_md(options, plants) + errors_md(verdicts, plan) + popping + times.text + plots_md(drawn));
   std::printf("written to %s; read report.md first\n", options.out.c_str());
   return 0;
 }

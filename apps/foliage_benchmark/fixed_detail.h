@@ -22,6 +22,9 @@ Detail at_branch_level(const PreparedPlant& plant, std::uint32_t level, bool wit
 /// A point for each triangle's area times `area`, of the finest level, in place of leaf quads.
 Detail leaves_as_points(const PreparedPlant& plant, double area);
 
+/// The same without fading: of two levels one or the other, leaf quads or points, each leaf whole or not at all.
+Detail unfaded(Detail detail);
+
 template <class F>
 std::vector<Detail> same_everywhere(std::span<const PreparedPlant> plants, F&& of_plant) {
   std::vector<Detail> details;

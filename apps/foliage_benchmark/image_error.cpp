@@ -220,7 +220,8 @@ Step step_between(const Picture& before, const Picture& after) {
   }
   if (steps.empty()) return {};
   const double mean = sum / static_cast<double>(steps.size());
-  return {mean, apps::quantile(std::move(steps), 0.999)};
+  const double most = *std::max_element(steps.begin(), steps.end());
+  return {mean, apps::quantile(std::move(steps), 0.999), most};
 }
 
 }  // namespace manzana::foliage_benchmark

@@ -23,10 +23,10 @@ struct ImageError {
 /// Asserts that both have the same size.
 ImageError image_error(const Picture& reference, const Picture& candidate);
 
-/// How much a picture steps from one frame to the next: the mean, and the value that one pixel in a thousand exceeds,
-/// of the largest difference of an sRGB channel, over the plants' pixels of either.
+/// How much a picture steps from one frame to the next: the mean, the value that one pixel in a thousand exceeds, and
+/// the most, of the largest difference of an sRGB channel, over the plants' pixels of either.
 struct Step {
-  double mean = 0, strong = 0;
+  double mean = 0, strong = 0, most = 0;
 };
 Step step_between(const Picture& before, const Picture& after);
 

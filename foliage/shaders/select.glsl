@@ -179,7 +179,7 @@ Item cell_item(TreeRecord tree, uint record, Detail at_tree, uint index) {
   item.count = min(uint(edge), cell.count);
   item.edge = keep >= 1.0f ? 3.0e38f : edge;
   precise float fade = shown * d.fade;
-  item.fade = max(fade, 1.0f);
+  item.fade = d.fade < 0.0f ? 1.0e-6f : max(fade, 1.0f);
   item.scale = d.scale;
   return item;
 }

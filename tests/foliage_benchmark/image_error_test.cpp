@@ -128,6 +128,7 @@ TEST_CASE("steps: nothing moves in a still picture and one pixel in two hundred 
   const Step step = step_between(before, after);
   const double jump = static_cast<double>(1 - to_srgb(0.05F));
   CHECK(step.strong == Approx(jump));
+  CHECK(step.most == Approx(jump));
   CHECK(step.mean == Approx(2 * jump / 400));
 }
 

@@ -2,6 +2,8 @@
 #include <catch2/catch.hpp>
 
 #include "apps/foliage_benchmark/errors.h"
+#include "apps/foliage_benchmark/fixed_detail.h"
+#include "apps/foliage_benchmark/popping.h"
 #include "foliage/generate.h"
 #include "foliage/import/species.h"
 #include "foliage/prepare.h"
@@ -91,6 +93,27 @@ TEST_CASE("errors: full detail has none and floors are the worse of two") {
     CHECK(v.floor_gmsd == std::max(verdicts[0].gmsd, verdicts[1].gmsd));
     if (v.law == "full" && v.sampling == "fine") CHECK(v.over.empty());
   }
+}
+
+TEST_CASE("popping: fading steps less in the mean and what does not fade is no better than itself") {
+  const gl::HeadlessContext context;
+  PopPlan plan{.heights = {16}, .range = 1.6};
+  const auto popping = [&] { return measure_popping(shrub(), plan, [](double) {}); };
+  const auto faded = popping();
+  REQUIRE(faded.size() == 2);
+  for (const Popped& popped : faded) {
+    CHECK(popped.row.frames > 90);
+    CHECK(popped.row.mean <= kMostPopping * popped.row.unfaded_mean);
+    CHECK(popped.row.most <= 1);
+    CHECK(popped.sheet.width > 3 * 16);
+  }
+  plan.change = unfaded;
+  for (const Popped& popped : popping()) {
+    CHECK(popped.row.ratio_mean == 1);
+    CHECK(popped.row.ratio_strong == 1);
+    CHECK(popped.row.ratio_most == 1);
+  }
+  CHECK(faded.front().row.unfaded_mean > 0.01);
 }
 
 }  // namespace manzana::foliage_benchmark
