@@ -49,8 +49,28 @@ double cost_at(const CostTable& costs, std::size_t first_row, double error2) {
   return static_cast<double>(std::lerp(row[0], row[1], static_cast<float>(bits & 0x1fffffU) * 0x1p-21F));
 }
 
-void sort_by_error(const PlantTable& table, const TreesSeen& seen, std::vector<CostTable::Bin>& bins) {
-  std::fill(bins.begin(), bins.end(), CostTable::Bin{});
+/// A row's least error, squared; of the first row 0, since smaller ones are counted there.
+double least_error2(std::size_t row) {
+  return row == 0 ? 0 : static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(row + 380) << 21));
+}
+
+std::size_t row_at(double error2) { return row_of(bits_of(error2)); }
+
+/// The least that the square of the nearest cell's error may be, over that of the tree.
+constexpr std::array<double, 5> kNearness{0, 0.2, 0.5, 0.75, 0.9};
+
+std::size_t nearness(const TreeSite& site, float distance2, float reach) {
+  constexpr float kMoreReach = 1.01F;  // than floats can be wrong
+  const float distance = std::sqrt(distance2);
+  const float share = 1 - kMoreReach * reach * std::max(site.radius, site.height) / std::max(distance, 1e-3F);
+  const double share2 = share > 0 ? static_cast<double>(share * share) : 0;
+  std::size_t i = kNearness.size() - 1;
+  while (share2 < kNearness[i]) --i;
+  return i;
+}
+
+void sort_by_error(CostTable& costs, const PlantTable& table, const TreesSeen& seen) {
+  std::fill(costs.bins.begin(), costs.bins.end(), CostTable::Bin{});
   const float at_1m = error2_at_1m(seen.error_at_1m);
   for (const Run& run : seen.runs) {
     for (std::uint32_t i = run.first; i < run.last; ++i) {
@@ -59,23 +79,78 @@ void sort_by_error(const PlantTable& table, const TreesSeen& seen, std::vector<C
       const Vec4 middle(site.position + Vec3(0, 0, table.plants[site.plant].middle * site.height), 1);
       const Vec3 p(glm::dot(rows[0], middle), glm::dot(rows[1], middle), glm::dot(rows[2], middle));
       const auto error2 = static_cast<double>(glm::dot(p, p) * site.inv_scale2 * at_1m);
-      CostTable::Bin& bin = bins[site.plant * glsl::kDetailSteps + row_of(bits_of(error2))];
+      CostTable::Bin& bin = costs.bins[site.plant * glsl::kDetailSteps + row_at(error2)];
       bin.trees += 1;
       bin.error2 += error2;
+      bin.by_nearness[nearness(site, glm::dot(p, p), costs.lists.plants[site.plant].reach)] += 1;
     }
   }
+}
+
+/// f(bin, plant, row), of all that are not empty.
+template <class F>
+void for_each_bin(const CostTable& costs, F&& f) {
+  for (std::size_t i = 0; i < costs.bins.size(); ++i)
+    if (costs.bins[i].trees > 0) f(costs.bins[i], i / glsl::kDetailSteps, i % glsl::kDetailSteps);
 }
 
 /// Vertices with the error multiplied by `times`.
 double total(const CostTable& costs, double times) {
   double sum = 0;
-  for (std::size_t i = 0; i < costs.bins.size(); ++i) {
-    const CostTable::Bin& bin = costs.bins[i];
-    if (bin.trees == 0) continue;
-    const std::size_t first_row = i / glsl::kDetailSteps * glsl::kDetailSteps;
-    sum += bin.trees * cost_at(costs, first_row, bin.error2 / bin.trees * times * times);
-  }
+  for_each_bin(costs, [&](const CostTable::Bin& bin, std::size_t plant, std::size_t) {
+    sum += bin.trees * cost_at(costs, plant * glsl::kDetailSteps, bin.error2 / bin.trees * times * times);
+  });
   return sum;
+}
+
+/// At most so much of each list, whatever the errors are within a row: those of the trees in it span two rows or three
+/// once multiplied.
+ListSizes most_lists(const CostTable& costs, double times) {
+  constexpr double kLess = 0.999, kMore = 1.001;  // than floats can be wrong
+  ListSizes sum(0);
+  for_each_bin(costs, [&](const CostTable::Bin& bin, std::size_t plant, std::size_t row) {
+    const double least2 = least_error2(row) * times * times * kLess;
+    const std::size_t low = row_at(least2), high = row_at(least_error2(row + 1) * times * times * kMore);
+    ListSizes most(0);
+    for (std::size_t i = low; i <= high; ++i) most = glm::max(most, costs.lists.others[plant * glsl::kDetailSteps + i]);
+    sum += bin.trees * most;
+    for (std::size_t i = 0; i < kNearness.size(); ++i)
+      if (bin.by_nearness[i] > 0)
+        sum += bin.by_nearness[i] * most_leaves(costs.lists, plant, row_at(least2 * kNearness[i]), low);
+  });
+  return sum;
+}
+
+bool fits(const ListSizes& sizes, const ListSizes& room) { return glm::all(glm::lessThanEqual(sizes, room)); }
+
+constexpr double kMostOctaves = 24;  // from the least to the greatest error that a table knows
+
+/// Octaves of error until the vertices suffice.
+double octaves_for_vertices(const CostTable& costs, const Budget& budget) {
+  if (!(budget.vertices > 0) || total(costs, 1) <= budget.vertices) return 0;
+  double low = 0, high = std::log2(budget.most_error);  // the cost falls in between
+  for (int i = 0; i < 16; ++i) {
+    const double middle = (low + high) / 2;
+    (total(costs, std::exp2(middle)) > budget.vertices ? low : high) = middle;
+  }
+  return high;
+}
+
+/// And from there on until the lists have room: the least, since one list may grow while others shrink.
+double octaves_for_lists(const CostTable& costs, const ListSizes& room, double from) {
+  constexpr double kStep = 0.125;
+  const auto fit = [&](double octaves) { return fits(most_lists(costs, std::exp2(octaves)), room); };
+  double high = from;
+  while (!fit(high)) {
+    high += kStep;
+    if (high > kMostOctaves) return std::numeric_limits<double>::infinity();
+  }
+  double low = std::max(from, high - kStep);
+  for (int i = 0; i < 6 && low < high; ++i) {
+    const double middle = (low + high) / 2;
+    (fit(middle) ? high : low) = middle;
+  }
+  return high;
 }
 
 }  // namespace
@@ -95,20 +170,16 @@ CostTable make_costs(const PlantTable& table) {
           static_cast<float>(4 * (leaves + branch_quads(table, plant, d)) + static_cast<double>(d.points) * points));
     }
   }
+  costs.lists = make_list_bounds(table);
   costs.bins.resize(costs.vertices.size());
   return costs;
 }
 
 double error_for(CostTable& costs, const PlantTable& table, const TreesSeen& seen, const Budget& budget) {
-  if (!(budget.vertices > 0)) return seen.error_at_1m;
-  sort_by_error(table, seen, costs.bins);
-  double low = 0, high = std::log2(budget.most_error);  // the cost falls in between
-  if (total(costs, 1) <= budget.vertices) return seen.error_at_1m;
-  for (int i = 0; i < 16; ++i) {
-    const double middle = (low + high) / 2;
-    (total(costs, std::exp2(middle)) > budget.vertices ? low : high) = middle;
-  }
-  return seen.error_at_1m * std::exp2(high);
+  const bool bounded = glm::any(glm::lessThan(budget.room, ListSizes(std::numeric_limits<double>::infinity())));
+  if (!(budget.vertices > 0) && !bounded) return seen.error_at_1m;
+  sort_by_error(costs, table, seen);
+  return seen.error_at_1m * std::exp2(octaves_for_lists(costs, budget.room, octaves_for_vertices(costs, budget)));
 }
 
 }  // namespace manzana::foliage

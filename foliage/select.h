@@ -74,6 +74,7 @@ float error2_at_1m(double error_at_1m);
 /// Primitives: bark and leaf quads, lines, points.
 struct Shown {
   std::uint64_t bark = 0, leaves = 0, lines = 0, points = 0;
+  std::uint64_t missing = 0;  ///< items and groups that lists had no room for: parts of trees that are not drawn
 };
 Shown count_shown(const Selection& selection);
 

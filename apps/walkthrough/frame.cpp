@@ -74,6 +74,8 @@ FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {
   row.triangles = counts.triangles + 2 * (trees.bark + trees.leaves + trees.lines);
   row.points = trees.points;
   row.tree_error_px = counts.tree_error_px;
+  row.tree_law = counts.tree_law;
+  row.trees_missing = trees.missing;
   return row;
 }
 

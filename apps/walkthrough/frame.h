@@ -31,6 +31,9 @@ struct Options;
 /// What the command line says of structure and trees.
 void apply(const Options& options, Stage& stage);
 
+/// What to say, once, of a frame with FrameRow::trees_missing.
+constexpr const char* kTreesMissing = "no room for all trees in view: parts of some are not drawn";
+
 /// The cars are where they are `seconds` after the start of the scene.
 FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds);
 

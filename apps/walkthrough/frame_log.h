@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "foliage/detail.h"
+
 namespace manzana::walkthrough {
 
 /// Times by a steady clock. cull_us: find_visible alone; update_us: find_cars alone; draw_ms: from there to the end of
@@ -14,7 +16,9 @@ struct FrameRow {
   double cull_us = 0, update_us = 0, draw_ms = 0;
   std::uint64_t blocks_visible = 0, buildings_visible = 0, trees_visible = 0, cars_visible = 0, triangles = 0,
                 points = 0;
-  double tree_error_px = 0;  ///< tolerated in trees; more than asked for where the budget binds
+  double tree_error_px = 0;  ///< tolerated in trees; more than asked for where a budget or the memory binds
+  foliage::Law tree_law = foliage::Law::ours;  ///< ours in place of what there was no room for
+  std::uint64_t trees_missing = 0;             ///< list entries of trees that were left out for want of room
   double frame_ms() const { return cull_us / 1000 + update_us / 1000 + draw_ms; }
 };
 

@@ -1,5 +1,6 @@
 #include "apps/walkthrough/headless.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -42,6 +43,11 @@ std::vector<FrameRow> draw_path(const Options& options, Stage& stage, const Came
   return rows;
 }
 
+void warn(std::span<const FrameRow> rows) {
+  const auto missing = [](const FrameRow& row) { return row.trees_missing > 0; };
+  if (std::any_of(rows.begin(), rows.end(), missing)) std::fprintf(stderr, "%s\n", kTreesMissing);
+}
+
 void print_result(const Options& options, std::span<const FrameRow> rows) {
   const auto median = [&](auto get) { return apps::quantile(column(rows, get), 0.5); };
   std::printf("%zu frames, medians: cull %.1f us, cars %.1f us, draw %.1f ms, %.0f triangles\n", rows.size(),
@@ -65,6 +71,7 @@ void run_headless(const Options& options, const Imported& city, std::span<const 
   files::write_whole(options.out / "frames.csv", to_csv(rows));
   files::write_whole(options.out / "issues.txt", issue_table(city.issues));
   files::write_whole(options.out / "summary.json", summary_json(options, city, rows, facts));
+  warn(rows);
   print_result(options, rows);
 }
 

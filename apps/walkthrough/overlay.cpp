@@ -59,7 +59,8 @@ void draw_times(const PanelState& panel, const Stage& stage) {
   ImGui::Text("cars      %8llu of %u", static_cast<unsigned long long>(s.cars_visible), stage.scene.traffic.cars());
   ImGui::Text("triangles %8llu", static_cast<unsigned long long>(s.triangles));
   ImGui::Text("points    %8llu", static_cast<unsigned long long>(s.points));
-  ImGui::Text("error in trees %7.2f px", s.tree_error_px);
+  ImGui::Text("error in trees %7.2f px (%s)", s.tree_error_px, name_of(s.tree_law));
+  if (s.trees_missing > 0) ImGui::Text("%s", kTreesMissing);
 }
 
 void draw_tree_detail(draw::DrawOptions& options) {

@@ -87,7 +87,7 @@ struct Session {
   PanelState panel{};
   Recorder recorder{};
   std::optional<culling::View> frozen{};
-  bool help = false, show_panel = false, caught = false;
+  bool help = false, show_panel = false, caught = false, told_missing = false;
   double now = 0, wheel = 0;
   Vec2d cursor{0, 0};
   std::string message{};
@@ -245,6 +245,7 @@ void show_frame(Session& session) {
   const FrameRow row = draw_frame(session.stage, current_view(session), now);
   session.stage.renderer.present(0);
   take_in(session.panel, row, passed);
+  if (row.trees_missing > 0 && !std::exchange(session.told_missing, true)) say(session, kTreesMissing);
   draw_overlay(session);
   glfwSwapBuffers(session.window);
 }

@@ -13,14 +13,14 @@ namespace {
 
 using glsl::Capacity;
 using glsl::Totals;
-static_assert(sizeof(Totals) == 144);
+static_assert(sizeof(Totals) == 160 && offsetof(Totals, missing) == offsetof(Totals, shown) + sizeof(Totals::shown));
 
 constexpr GLintptr kCommandBytes = 5 * sizeof(GLuint);
 
 std::uint32_t ceil_div(std::uint32_t a, std::uint32_t b) { return (a + b - 1) / b; }
 
 Capacity capacity_of(const ExtractLimits& limits) {
-  return {.items = limits.items,
+  return {.items = std::min(limits.items, kMostItems),
           .quad_groups = ceil_div(limits.quads, glsl::kQuadGroup),
           .line_groups = ceil_div(limits.lines, glsl::kLineGroup),
           .point_groups = ceil_div(limits.points, glsl::kPointGroup),
@@ -88,13 +88,13 @@ Extractor::Extractor(std::span<const TreeSite> all, const ExtractLimits& limits)
       capacity(capacity_of(limits)),
       sites(gl::make_buffer(std::as_bytes(all))),
       trees(make_room<TreeRecord>(all.size())),
-      items(make_room<Item>(limits.items)),
+      items(make_room<Item>(capacity.items)),
       groups(make_room<glm::uvec2>(std::size_t{capacity.quad_groups} + capacity.line_groups + capacity.point_groups)),
       commands(gl::make_buffer(static_cast<std::size_t>(command_places(capacity).points + kCommandBytes))),
       totals(make_room<Totals>(1)),
-      shown(std::make_unique<gl::Readback>(sizeof(Totals::shown))),
+      shown(std::make_unique<gl::Readback>(sizeof(Totals::shown) + sizeof(Totals::missing))),
       tree_sums(make_sums(all.size())),
-      item_sums(make_sums(limits.items)),
+      item_sums(make_sums(capacity.items)),
       place(make_pass("place", shaders::place_comp)),
       scan(make_pass("scan", shaders::scan_comp)),
       scan_blocks(make_pass("scan_blocks", shaders::scan_blocks_comp)),
@@ -163,9 +163,14 @@ void extract_by_node(Extractor& e, const PlantStore& store, const TreesInView& v
 }
 
 Shown newest_shown(Extractor& extractor) {
-  glm::uvec4 shown(0);
-  if (const std::byte* bytes = extractor.shown->newest()) std::memcpy(&shown, bytes, sizeof shown);
-  return {shown.x, shown.y, shown.z, shown.w};
+  std::array<glm::uvec4, 2> read{};
+  if (const std::byte* bytes = extractor.shown->newest()) std::memcpy(read.data(), bytes, sizeof read);
+  const auto& [shown, missing] = read;
+  return {shown.x, shown.y, shown.z, shown.w, std::uint64_t{missing.x} + missing.y + missing.z + missing.w};
+}
+
+ListSizes room_of(const Capacity& capacity) {
+  return {capacity.items, capacity.quad_groups, capacity.line_groups, capacity.point_groups};
 }
 
 CommandPlaces command_places(const Capacity& capacity) {

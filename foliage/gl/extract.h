@@ -10,6 +10,7 @@
 #include <span>
 
 #include "foliage/gl/plant_store.h"
+#include "foliage/list_bounds.h"
 #include "gl/buffer.h"
 #include "gl/readback.h"
 
@@ -19,11 +20,14 @@ namespace glsl {
 #include "foliage/shaders/extract.glsl"
 }  // namespace glsl
 
-/// What a frame may show at most. What is beyond is not drawn; memory: 48 bytes an item, 8 a group.
+/// What a frame may show at most: what is beyond is not drawn, so a budget should keep it from happening
+/// (foliage/budget.h, room_of()). Memory: 48 bytes an item, 8 a group. At most kMostItems items.
 struct ExtractLimits {
   std::uint32_t items = 1U << 20;
   std::uint32_t quads = 1U << 21, lines = 1U << 18, points = 1U << 21;
 };
+
+constexpr std::uint32_t kMostItems = 65535 * 64;  // of one dispatch, on every device
 
 /// Runs of sites as uvec2 (first site, first tree in view), in a buffer; sorted by the second.
 struct TreesInView {
@@ -42,7 +46,7 @@ struct Extractor {
   glsl::Capacity capacity;
   gl::Buffer sites, trees, items, groups, commands, totals;
 
-  std::unique_ptr<gl::Readback> shown;
+  std::unique_ptr<gl::Readback> shown;  ///< Totals::shown and missing
 
   struct Sums {
     gl::Buffer offsets, blocks;
@@ -61,6 +65,9 @@ void extract_by_node(Extractor& extractor, const PlantStore& store, const TreesI
 
 /// What was chosen some frames ago, by the newest that the GPU has finished; no wait. Zeros before the first.
 Shown newest_shown(Extractor& extractor);
+
+/// Of an extractor's lists.
+ListSizes room_of(const glsl::Capacity& capacity);
 
 /// Where commands begin in Extractor::commands, in bytes.
 struct CommandPlaces {

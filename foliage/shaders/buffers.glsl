@@ -7,4 +7,10 @@ layout(std430, binding = 5) readonly buffer Details { Detail details[]; };
 layout(std430, binding = 6) readonly buffer Views { uint views[]; };
 layout(std430, binding = 8) buffer TotalsBuffer { Totals totals; };
 layout(std430, binding = 18) readonly buffer Steps { uvec2 steps[]; };
+// Sums end at the largest number there is: more than any list has room for.
+uvec4 plus(uvec4 a, uvec4 b) {
+  uvec4 sum = a + b;
+  return mix(sum, uvec4(0xffffffffu), lessThan(sum, a));
+}
+
 #define error2_at_1m totals.error2_at_1m

@@ -13,9 +13,10 @@ void main() {
   if (i >= totals.items) return;
   uint index = totals.items_before + i;
   Item item = items[index];
-  uvec4 at = offsets[i] + blocks[i / kScanBlock] + totals.groups_before;
+  uvec4 at = plus(plus(offsets[i], blocks[i / kScanBlock]), totals.groups_before);
   Capacity room = totals.capacity;
   uint lines = room.quad_groups, points = lines + room.line_groups;
+  at.xyz = min(at.xyz, uvec3(room.quad_groups, room.line_groups, room.point_groups));
   if (item.kind <= kLeaves) write(item, index, at.x, lines, kQuadGroup);
   else if (item.kind == kLines) write(item, index, lines + at.y, points, kLineGroup);
   else write(item, index, points + at.z, points + room.point_groups, kPointGroup);

@@ -4,10 +4,9 @@
 //   choose   an item -> how many primitives of which list; how many groups they fill
 //   scan     their sums
 //   expand   an item -> its groups; a draw reads groups
-// A group is a handful of primitives of one item, so a list of groups is short where a list of primitives would not be.
+// Draws read groups. What a list has no room for is left out, and counted: hosts should see to it that it never
+// happens (foliage/budget.h).
 const uint kScanBlock = 1024u;    // elements that one work group sums
-const uint kMostBlocks = 4096u;   // sums of a scan
-const uint kQuadGroup = 4u, kLineGroup = 4u, kPointGroup = 16u;
 const uint kQuadsOfDraw = 65536u;  // of one command; the index buffer repeats
 
 struct Capacity {
@@ -24,5 +23,6 @@ struct Totals {
   uvec4 groups, groups_before;               // quads, lines, points in x, y, z: with this node; without
   uvec4 per_item, per_block;                 // work groups for choose and expand, and for the scan of items
   Capacity capacity;
-  uvec4 shown;  // primitives of each kind, of all nodes
+  uvec4 shown;    // primitives of each kind, of all nodes
+  uvec4 missing;  // what lists had no room for: items; groups of quads, lines, points
 };

@@ -14,18 +14,18 @@ void main() {
   uvec4 sum = uvec4(0u);
   for (uint i = 0u; i < 4u; ++i) {
     mine[i] = sum;
-    if (first + i < count) sum += offsets[first + i];
+    if (first + i < count) sum = plus(sum, offsets[first + i]);
   }
   part[t] = sum;
   for (uint step = 1u; step < 256u; step *= 2u) {
     barrier();
     uvec4 left = t >= step ? part[t - step] : uvec4(0u);
     barrier();
-    part[t] += left;
+    part[t] = plus(part[t], left);
   }
   barrier();
-  uvec4 before = part[t] - sum;
+  uvec4 before = t > 0u ? part[t - 1u] : uvec4(0u);
   for (uint i = 0u; i < 4u; ++i)
-    if (first + i < count) offsets[first + i] = before + mine[i];
+    if (first + i < count) offsets[first + i] = plus(before, mine[i]);
   if (t == 255u) blocks[gl_WorkGroupID.x] = part[t];
 }

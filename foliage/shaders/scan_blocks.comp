@@ -21,7 +21,9 @@ void finish_trees(uint items) {
   if (gl_LocalInvocationID.x != 0u) return;
   totals.items_before += totals.items;
   totals.groups_before = totals.groups;
-  items = min(items, totals.capacity.items - totals.items_before);
+  uint room = totals.capacity.items - totals.items_before;
+  totals.missing.x += items - min(items, room);
+  items = min(items, room);
   totals.items = items;
   totals.per_item = uvec4((items + 63u) / 64u, 1u, 1u, 0u);
   totals.per_block = uvec4((items + kScanBlock - 1u) / kScanBlock, 1u, 1u, 0u);
@@ -30,9 +32,10 @@ void finish_trees(uint items) {
 void finish(uvec4 total) {
   Capacity room = totals.capacity;
   uvec4 most = uvec4(room.quad_groups, room.line_groups, room.point_groups, 0u);
-  uvec4 groups = min(totals.groups_before + total, most);
+  uvec4 wanted = plus(totals.groups_before, total), groups = min(wanted, most);
   if (gl_LocalInvocationID.x == 0u) {
     totals.groups = groups;
+    totals.missing = plus(totals.missing, uvec4(0u, (wanted - groups).xyz));
     uint word = 5u * (room.quad_draws + room.line_draws);
     commands[word] = groups.z * kPointGroup;
     commands[word + 1u] = 1u;
@@ -54,11 +57,11 @@ void main() {
       barrier();
       uvec4 left = t >= step ? part[t - step] : uvec4(0u);
       barrier();
-      part[t] += left;
+      part[t] = plus(part[t], left);
     }
     barrier();
-    if (first + t < count) blocks[first + t] = total + part[t] - mine;
-    total += part[255];
+    if (first + t < count) blocks[first + t] = plus(total, t > 0u ? part[t - 1u] : uvec4(0u));
+    total = plus(total, part[255]);
     barrier();
   }
   if (of_items == 0u) finish_trees(total.x);

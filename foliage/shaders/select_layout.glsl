@@ -66,6 +66,8 @@ struct Item {
   float scale;  // of leaf quads their size, linear; of points their area
   float spare;
 };
+// A group is a handful of primitives of one item, so a list of groups is short where a list of primitives would not be.
+const uint kQuadGroup = 4u, kLineGroup = 4u, kPointGroup = 16u;
 const uint kBark = 0u, kLeaves = 1u, kLines = 2u, kPoints = 3u;
 
 // Items of a tree: its bark, its lines, its points in two levels; then its cells, if it shows leaf quads.

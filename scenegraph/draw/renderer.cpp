@@ -58,7 +58,7 @@ struct Renderer::State {
         buildings(scene.buildings),
         surfaces(scene.surfaces),
         paints(make_paint_programs()),
-        trees(scene.trees, plants),
+        trees(scene.trees, plants, limits_for(scene.trees.instances.size())),
         cars(scene.traffic.cars()),
         car_shadows(make_shadow("shadow_car", shaders::shadow_car_vert)) {}
 
@@ -166,7 +166,8 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const cu
     const double error_px = options.tree_error_px / s.quality.tree_detail;
     const TreeDetail detail{options.tree_law, error_px / f_px, options.tree_vertices, options.trees_by_node};
     extract_trees(s.trees, scene.trees, sets.objects(), s.rows, detail, s.stream);
-    counts.tree_error_px = s.trees.error_at_1m * f_px;
+    counts.tree_error_px = s.trees.law == foliage::Law::full ? 0 : s.trees.error_at_1m * f_px;
+    counts.tree_law = s.trees.law;
   }
   s.draw_layers(scene, sets, view, options, counts);
   if (options.frozen != nullptr) draw_lines(s.volumes, volume_lines(scene.tree, *options.frozen, view.eye));

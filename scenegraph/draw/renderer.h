@@ -50,7 +50,8 @@ struct FrameCounts {
   std::uint64_t triangles = 0;  ///< submitted; without trees, which the GPU chooses
   std::uint64_t buildings = 0, surfaces = 0, trees = 0, cars = 0;
   std::uint64_t commands = 0;  ///< of multi-draws
-  double tree_error_px = 0;    ///< that was tolerated in trees, after the budget
+  double tree_error_px = 0;    ///< that was tolerated in trees, after the budget and what memory has room for
+  foliage::Law tree_law = foliage::Law::ours;  ///< ours in place of what there was no room for
 };
 
 struct Size {

@@ -1,6 +1,7 @@
 #include "scenegraph/draw/tree_layer.h"
 
 #include <cassert>
+#include <cmath>
 #include <stdexcept>
 
 #include "manzana_draw_shaders.h"
@@ -33,10 +34,30 @@ std::vector<foliage::TreeSite> sites_of(const TreeLayer& trees, std::span<const 
   return sites;
 }
 
-void set_law(TreeLayerGpu& layer, foliage::Law law) {
+TreeLayerGpu::Tables make_tables(TreeLayerGpu& layer, foliage::Law law) {
   set_details(layer.store, make_details(layer.plants, law));
-  layer.costs = make_costs(layer.store.table);
   layer.law = law;
+  return {law, layer.store.table.details, make_costs(layer.store.table)};
+}
+
+void use(TreeLayerGpu& layer, const TreeLayerGpu::Tables& tables) {
+  if (layer.law != tables.law) set_details(layer.store, tables.details);
+  layer.law = tables.law;
+}
+
+/// The law that is asked for if the lists have room for it at any error; else ours, which shows less and less.
+void choose_detail(TreeLayerGpu& layer, std::span<const Vec4> rows, const TreeDetail& detail) {
+  constexpr double kGreatestError = 1e6;  // metres a metre away
+  if (layer.asked.law != detail.law) layer.asked = make_tables(layer, detail.law);
+  const foliage::TreesSeen seen{layer.sites, rows, layer.runs, detail.error_at_1m};
+  const foliage::Budget budget{.vertices = detail.vertices, .room = foliage::room_of(layer.extractor.capacity)};
+  TreeLayerGpu::Tables* tables = &layer.asked;
+  layer.error_at_1m = error_for(tables->costs, layer.store.table, seen, budget);
+  if (!std::isfinite(layer.error_at_1m)) {
+    tables = &layer.ours;
+    layer.error_at_1m = std::min(kGreatestError, error_for(tables->costs, layer.store.table, seen, budget));
+  }
+  use(layer, *tables);
 }
 
 /// Rows of the layer, in order; those that follow each other become one run, unless nodes are wanted apart.
@@ -73,15 +94,23 @@ foliage::HostShaders plant_shaders() {
           .points = {frame_layout_glsl, frame_glsl, light_glsl, tree_point_frag}};
 }
 
-TreeLayerGpu::TreeLayerGpu(const TreeLayer& trees, std::span<const foliage::PreparedPlant> prepared)
+TreeLayerGpu::TreeLayerGpu(const TreeLayer& trees, std::span<const foliage::PreparedPlant> prepared,
+                           const foliage::ExtractLimits& limits)
     : plants(without_pictures(prepared)),
       store(prepared),
       sites(sites_of(trees, prepared)),
-      extractor(sites, {}),
+      extractor(sites, limits),
       programs(plant_shaders()),
       shadows(make_shadow("shadow_tree", shaders::shadow_tree_vert)) {
-  set_law(*this, foliage::Law::ours);
+  asked = ours = make_tables(*this, foliage::Law::ours);
   runs.reserve(sites.size());
+}
+
+foliage::ExtractLimits limits_for(std::size_t trees) {
+  foliage::ExtractLimits limits;
+  const std::size_t fixed = std::min<std::size_t>(trees * foliage::glsl::kFixedItems, foliage::kMostItems);
+  limits.items = std::max(limits.items, static_cast<std::uint32_t>(fixed));
+  return limits;
 }
 
 std::size_t stream_bytes(const TreeLayerGpu&, std::size_t runs) {
@@ -90,11 +119,9 @@ std::size_t stream_bytes(const TreeLayerGpu&, std::size_t runs) {
 
 void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const culling::ObjectRun> objects,
                    std::span<const Rows> blocks, const TreeDetail& detail, gl::StreamBuffer& stream) {
-  if (layer.law != detail.law) set_law(layer, detail.law);
   find_runs(trees, objects, detail.by_node, layer.runs);
   const std::span<const Vec4> rows(blocks.empty() ? nullptr : blocks.front().data(), blocks.size() * 3);
-  const foliage::TreesSeen seen{layer.sites, rows, layer.runs, detail.error_at_1m};
-  layer.error_at_1m = error_for(layer.costs, layer.store.table, seen, {.vertices = detail.vertices});
+  choose_detail(layer, rows, detail);
   foliage::TreesInView view = write_runs(layer.runs, stream);
   view.error_at_1m = layer.error_at_1m;
   layer.trees_in_view = view.trees;

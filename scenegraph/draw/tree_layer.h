@@ -13,7 +13,8 @@ foliage::HostShaders plant_shaders();
 
 struct TreeLayerGpu {
   /// `plants`: one for each PlantKind.
-  TreeLayerGpu(const TreeLayer& trees, std::span<const foliage::PreparedPlant> plants);
+  TreeLayerGpu(const TreeLayer& trees, std::span<const foliage::PreparedPlant> plants,
+               const foliage::ExtractLimits& limits);
 
   std::vector<foliage::PreparedPlant> plants;  ///< without pictures: what tables are made from
   foliage::PlantStore store;
@@ -21,8 +22,13 @@ struct TreeLayerGpu {
   foliage::Extractor extractor;
   foliage::PlantPrograms programs;
   gl::Program shadows;
-  foliage::Law law;                 ///< of the store's table
-  foliage::CostTable costs;         ///< of the same
+  struct Tables {
+    foliage::Law law = foliage::Law::ours;
+    std::vector<foliage::Detail> details;
+    foliage::CostTable costs;
+  };
+  Tables asked, ours;               ///< the second for what the first has no room for, at whatever error
+  foliage::Law law;                 ///< of the last extraction: of the store's table
   std::vector<foliage::Run> runs;   ///< of the frame at hand
   double error_at_1m = 0;           ///< of the last extraction, after the budget
   std::uint32_t trees_in_view = 0;  ///< of the last extraction
@@ -34,6 +40,9 @@ struct TreeDetail {
   double vertices = 0;         ///< a budget that may raise it; 0: none
   bool by_node = false;        ///< each visible node's trees in dispatches of their own; else all at once
 };
+
+/// Room for a good picture of some thousand trees, and for all of so many trees far away.
+foliage::ExtractLimits limits_for(std::size_t trees);
 
 std::size_t stream_bytes(const TreeLayerGpu& layer, std::size_t runs);
 

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cstring>
 
+#include "foliage/budget.h"
 #include "foliage/detail.h"
 #include "foliage/generate.h"
 #include "foliage/gl/extract.h"
@@ -152,6 +153,104 @@ TEST_CASE("the GPU chooses what its twin on the CPU does to the bit") {
   const std::size_t most = std::size_t{extractor.capacity.quad_groups} * glsl::kQuadGroup;
   if (wanted.size() < most / 2) CHECK(same_bits(quads, wanted));
   CHECK(log.messages().empty());
+}
+
+namespace {
+
+/// A forest that wants more than these limits of every list, near and far.
+constexpr ExtractLimits kSmall{.items = 7000, .quads = 30'000, .lines = 3000, .points = 15'000};
+
+std::array<std::size_t, 4> list_ends(const glsl::Capacity& room) {
+  return {0, room.quad_groups, room.quad_groups + room.line_groups,
+          std::size_t{room.quad_groups} + room.line_groups + room.point_groups};
+}
+
+}  // namespace
+
+TEST_CASE("where lists lack room the error rises and nothing is missing and both processors agree") {
+  const gl::HeadlessContext context;
+  PlantStore store(plants());
+  set_details(store, make_details(plants(), Law::ours));
+  CostTable costs = make_costs(store.table);
+  const Forest forest = make_forest(1500, 8);
+  Uploaded up = upload(forest);
+  const double asked = 0.3 / 700;
+  TreesSeen seen{forest.sites, forest.rows, forest.runs, asked};
+  const ExtractLimits plenty;
+  for (int list = 0; list < 5; ++list) {
+    ExtractLimits limits = list == 4 ? kSmall : plenty;
+    if (list == 0) limits.items = kSmall.items;
+    if (list == 1) limits.quads = kSmall.quads;
+    if (list == 2) limits.lines = kSmall.lines;
+    if (list == 3) limits.points = kSmall.points;
+    Extractor extractor(forest.sites, limits);
+    up.view.error_at_1m = asked;
+    extract(extractor, store, up.view);
+    glFinish();
+    INFO("list " << list);
+    CHECK(newest_shown(extractor).missing > 0);
+
+    seen.error_at_1m = asked;
+    seen.error_at_1m = up.view.error_at_1m = error_for(costs, store.table, seen, {.room = room_of(extractor.capacity)});
+    CHECK(seen.error_at_1m > asked);
+    extract(extractor, store, up.view);
+    glFinish();
+    const Shown shown = newest_shown(extractor);
+    CHECK(shown.missing == 0);
+    Selection expected;
+    select(store.table, seen, expected);
+    CHECK(same_bits(read<Item>(extractor.items, expected.items.size()), expected.items));
+    CHECK(shown.leaves == count_shown(expected).leaves);
+    CHECK(shown.leaves + shown.points > 0);
+  }
+}
+
+TEST_CASE("without a budget lists end where their room does and hold what the others would") {
+  const gl::HeadlessContext context;
+  gl::ErrorLog log;
+  PlantStore store(plants());
+  set_details(store, make_details(plants(), Law::ours));
+  const Forest forest = make_forest(1500, 8);
+  Uploaded up = upload(forest);
+  up.view.error_at_1m = 0.3 / 700;
+  Extractor small(forest.sites, kSmall), large(forest.sites, {});
+  extract(small, store, up.view);
+  extract(large, store, up.view);
+  const auto of_small = read<glsl::Totals>(small.totals, 1).front(),
+             of_large = read<glsl::Totals>(large.totals, 1).front();
+  REQUIRE(of_large.missing == glm::uvec4(0));
+  REQUIRE(of_small.items == kSmall.items);
+  CHECK(of_small.missing.x == of_large.items - kSmall.items);
+  CHECK(same_bits(read<Item>(small.items, kSmall.items), read<Item>(large.items, kSmall.items)));
+  const auto ends = list_ends(small.capacity), whole = list_ends(large.capacity);
+  const auto groups = read<glm::uvec2>(small.groups, ends[3]), wanted = read<glm::uvec2>(large.groups, whole[3]);
+  for (int list = 0; list < 3; ++list) {
+    INFO("list " << list);
+    const auto n = of_small.groups[list];
+    CHECK(n + of_small.missing[list + 1] <= of_large.groups[list]);  // fewer: of items that are missing
+    CHECK(std::equal(groups.begin() + static_cast<std::ptrdiff_t>(ends[static_cast<std::size_t>(list)]),
+                     groups.begin() + static_cast<std::ptrdiff_t>(ends[static_cast<std::size_t>(list)] + n),
+                     wanted.begin() + static_cast<std::ptrdiff_t>(whole[static_cast<std::size_t>(list)])));
+  }
+  CHECK(of_small.groups.x == small.capacity.quad_groups);
+  CHECK(log.messages().empty());
+}
+
+TEST_CASE("sums of groups end at the largest number instead of beginning again") {
+  const gl::HeadlessContext context;
+  PlantStore store(plants());
+  set_details(store, make_details(plants(), Law::full));
+  for (glm::uvec2& step : store.table.steps) step.x = 1U << 30;  // 16 trees of 2^28 groups: 2^32
+  store.steps = gl::make_buffer(std::as_bytes(std::span(store.table.steps)));
+  Forest forest = make_forest(16, 3);
+  forest.runs = {{0, 16}};
+  const Uploaded up = upload(forest);
+  Extractor extractor(forest.sites, {.quads = 4000, .points = 64});
+  extract(extractor, store, up.view);
+  const auto totals = read<glsl::Totals>(extractor.totals, 1).front();
+  CHECK(totals.groups.x == extractor.capacity.quad_groups);
+  CHECK(totals.missing.y > 1U << 31);
+  for (const glm::uvec2& group : read<glm::uvec2>(extractor.groups, totals.groups.x)) CHECK(group.x == 0);
 }
 
 TEST_CASE("node after node the lists are what they are all at once") {

@@ -75,7 +75,7 @@ TEST_CASE("program: the town to pictures, counts and a summary, the same again f
   CHECK(lines_in(csv) == 7);
   CHECK(
       csv.starts_with("frame,cull_us,update_us,draw_ms,blocks_visible,buildings_visible,trees_visible,cars_visible,"
-                      "triangles,points\n0,"));
+                      "triangles,points,tree_error_px\n0,"));
   const Json summary = Json::parse(read_all(a / "summary.json"));
   CHECK(summary["blocks"] >= 150);
   CHECK(summary["buildings"] >= 3000);
