@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
 #include <stdexcept>
 
 #include "foliage/octahedral.h"
@@ -13,61 +14,164 @@ namespace manzana::foliage {
 namespace {
 
 constexpr std::uint32_t kNobody = ~0U;
+constexpr int kFirstPixels = 256, kMostPixels = 2048, kMostForOne = 512;
+constexpr std::size_t kFew = 16;  // one cell of so many may be looked at again for itself
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr int kBlock = 8;  // pixels that are asked at once
+
+/// A quad as one view has it.
+struct SeenQuad {
+  SeenQuad(const PlantQuad& quad, const ParallelView& view) : uv(quad), form(form_of(quad, uv)) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      at[c] = view.pixel(quad.corners[c].position);
+      near[c] = view.nearness(quad.corners[c].position);
+    }
+    nearest = *std::max_element(near.begin(), near.end());
+  }
+  std::array<Vec2, 4> at;
+  std::array<float, 4> near;
+  float nearest;
+  QuadUv uv;
+  Form form;
+};
+
+/// Pixels that a fragment may change: where it is nearest, or the first of its id.
+struct OpenToId {
+  const float* near;
+  const std::uint32_t* last;
+  std::uint32_t id;
+
+  bool at(std::size_t texel, float here) const { return here >= near[texel] || last[texel] != id; }
+  /// Whether any of a block is. Most are not where leaves lie deep; so written that a compiler makes vectors of it.
+  bool any(std::size_t texel, float here, float step) const {
+    std::uint32_t open = 0;
+    for (std::size_t j = 0; j < kBlock; ++j) {
+      const std::uint32_t nearer = here + step * static_cast<float>(j) >= near[texel + j] ? 1U : 0U;
+      open |= nearer | (last[texel + j] ^ id);
+    }
+    return open != 0;
+  }
+};
+
+/// Those where it is nearer than what is there; with `also_equal`, or as near.
+struct OpenToNearer {
+  const float* near;
+  bool also_equal;
+
+  bool at(std::size_t texel, float here) const { return here > near[texel] || (also_equal && here == near[texel]); }
+  bool any(std::size_t texel, float here, float step) const {
+    std::uint32_t open = 0;
+    for (std::size_t j = 0; j < kBlock; ++j) open |= here + step * static_cast<float>(j) >= near[texel + j] ? 1U : 0U;
+    return open != 0;
+  }
+};
+
+/// Calls void(std::size_t texel, float near) for pixels of a quad that are open and not holes.
+template <class Open, class Visit>
+void for_each_open(const SeenQuad& quad, int pixels, const LeafHoles* holes, const Open& open, Visit&& visit) {
+  for_each_quad_span(quad.at, quad.form, pixels, [&](const PixelSpan& span, const QuadPart& part) {
+    const Along depth(span, quad.near, part), u(span, quad.uv.u, part), v(span, quad.uv.v, part);
+    const auto row =
+        static_cast<std::size_t>(span.y) * static_cast<std::size_t>(pixels) + static_cast<std::size_t>(span.first);
+    const int size = span.last - span.first;
+    for (int i = 0; i < size; i += kBlock) {
+      if (!open.any(row + static_cast<std::size_t>(i), depth[i], depth.step())) continue;
+      for (int j = i; j < std::min(i + kBlock, size); ++j) {
+        const std::size_t texel = row + static_cast<std::size_t>(j);
+        if (open.at(texel, depth[j]) && (holes == nullptr || holes->opaque(u[j], v[j]))) visit(texel, depth[j]);
+      }
+    }
+  });
+}
+
+/// With room for a block past the last.
+std::size_t texels_of(const ParallelView& view) {
+  return static_cast<std::size_t>(view.pixels()) * static_cast<std::size_t>(view.pixels()) + kBlock;
+}
 
 /// A picture of who is nearest, and who came last to each pixel.
 class IdPicture {
  public:
-  IdPicture(const Image& leaf, const ParallelView& view)
-      : holes_(leaf),
-        view_(view),
-        texels_(static_cast<std::size_t>(view.pixels()) * static_cast<std::size_t>(view.pixels())) {}
+  explicit IdPicture(const ParallelView& view)
+      : view_(view), near_(texels_of(view), -kInfinity), nearest_(near_.size(), kNobody), last_(nearest_) {}
 
-  /// Returns how many pixels this quad is the first of its cell to touch; a cell's quads come together.
-  std::uint32_t draw(const PlantQuad& quad, std::uint32_t id, bool leaf) {
-    std::uint32_t fresh = 0;
-    for (const std::size_t k : {1U, 2U}) {
-      const std::array<std::size_t, 3> corners{0, k, k + 1};
-      std::array<Vec2, 3> at, uv;
-      std::array<float, 3> near;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const PlantQuad::Corner& corner = quad.corners[corners[c]];
-        at[c] = view_.pixel(corner.position);
-        near[c] = view_.nearness(corner.position);
-        uv[c] = Vec2(corner.u, corner.v) * (kUvRange / 65535);
-      }
-      for_each_pixel(at, view_.pixels(), [&](int x, int y, float v, float w) {
-        if (leaf && !holes_.opaque(uv[0] + (uv[1] - uv[0]) * v + (uv[2] - uv[0]) * w)) return;
-        fresh += touch(x, y, near[0] + (near[1] - near[0]) * v + (near[2] - near[0]) * w, id);
-      });
-    }
-    return fresh;
+  /// All quads of a cell; or some bark. Returns how many pixels they touch.
+  std::uint32_t draw(std::span<const PlantQuad> quads, std::uint32_t id, const LeafHoles* holes) {
+    std::uint32_t own = 0;
+    for (const SeenQuad& quad : nearest_first(quads)) own += draw_quad(quad, id, holes);
+    return own;
   }
 
   std::vector<std::uint32_t> histogram(std::size_t ids) const {
     std::vector<std::uint32_t> count(ids, 0);
-    for (const Texel& texel : texels_)
-      if (texel.nearest < ids) ++count[texel.nearest];
+    for (const std::uint32_t id : nearest_)
+      if (id < ids) ++count[id];
     return count;
   }
 
  private:
-  struct Texel {
-    float near = -std::numeric_limits<float>::infinity();
-    std::uint32_t nearest = kNobody, last = kNobody;
-  };
+  /// So that most of the others change nothing.
+  const std::vector<SeenQuad>& nearest_first(std::span<const PlantQuad> quads) {
+    seen_.clear();
+    for (const PlantQuad& quad : quads) seen_.emplace_back(quad, view_);
+    std::sort(seen_.begin(), seen_.end(), [](const SeenQuad& a, const SeenQuad& b) { return a.nearest > b.nearest; });
+    return seen_;
+  }
 
-  std::uint32_t touch(int x, int y, float near, std::uint32_t id) {
-    Texel& texel =
-        texels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.pixels()) + static_cast<std::size_t>(x)];
-    if (near >= texel.near) texel.near = near, texel.nearest = id;  // as GL_LEQUAL has it
-    const std::uint32_t fresh = texel.last == id ? 0 : 1;
-    texel.last = id;
+  std::uint32_t draw_quad(const SeenQuad& quad, std::uint32_t id, const LeafHoles* holes) {
+    std::uint32_t fresh = 0;
+    const OpenToId open{near_.data(), last_.data(), id};
+    for_each_open(quad, view_.pixels(), holes, open, [&](std::size_t texel, float here) {
+      if (here >= near_[texel]) near_[texel] = here, nearest_[texel] = id;  // as GL_LEQUAL has it
+      fresh += last_[texel] != id ? 1 : 0;
+      last_[texel] = id;
+    });
     return fresh;
   }
 
-  LeafHoles holes_;
   const ParallelView& view_;
-  std::vector<Texel> texels_;
+  std::vector<float> near_;
+  std::vector<std::uint32_t> nearest_, last_;
+  std::vector<SeenQuad> seen_;
+};
+
+/// One cell in a picture, and what of it others hide. Cheaper: pixels without the cell, or hidden, are done with.
+class OneCellPicture {
+ public:
+  explicit OneCellPicture(const ParallelView& view) : view_(view), near_(texels_of(view), -kInfinity) {}
+
+  void draw_own(const PlantQuad& quad, const LeafHoles& holes) {
+    const OpenToNearer open{near_.data(), true};
+    for_each_open(SeenQuad(quad, view_), view_.pixels(), &holes, open, [&](std::size_t texel, float here) {
+      pixels_ += near_[texel] == -kInfinity ? 1 : 0;
+      near_[texel] = here;
+      farthest_ = std::min(farthest_, here);
+    });
+  }
+
+  /// Between the cell's own quads and the others'.
+  void end_own() { std::replace(near_.begin(), near_.end(), -kInfinity, kInfinity); }
+
+  /// Later cells also hide what is as near as they are.
+  void hide_behind(const PlantQuad& quad, const LeafHoles* holes, bool later) {
+    const SeenQuad seen(quad, view_);
+    if (seen.nearest < farthest_) return;
+    const OpenToNearer open{near_.data(), later};
+    for_each_open(seen, view_.pixels(), holes, open, [&](std::size_t texel, float) {
+      near_[texel] = kInfinity;
+      --pixels_;
+    });
+  }
+
+  std::uint32_t pixels() const { return pixels_; }
+  float farthest() const { return farthest_; }
+
+ private:
+  const ParallelView& view_;
+  std::vector<float> near_;
+  float farthest_ = kInfinity;
+  std::uint32_t pixels_ = 0;
 };
 
 /// Of a vertex of the grid the first one with its direction.
@@ -77,17 +181,66 @@ std::uint32_t first_of_pair(std::uint32_t side, std::uint32_t i, std::uint32_t j
   return j * side + i;
 }
 
-int enough_pixels(const PreparedPlant& plant) {
-  const double side = std::sqrt(1000 * static_cast<double>(plant.cells.size()) / 0.5);  // half the picture is crown
-  return static_cast<int>(std::clamp(side, 256.0, 1024.0));
+/// Side of a picture in which all but few cells have enough pixels, when they have `own` in one of kFirstPixels.
+int enough_for_most(std::vector<std::uint32_t> own) {
+  if (own.empty()) return kFirstPixels;
+  const auto few = own.begin() + static_cast<std::ptrdiff_t>(own.size() / kFew);
+  std::nth_element(own.begin(), few, own.end());
+  if (*few >= kEnoughPixels) return kFirstPixels;
+  const double larger = std::sqrt(1.1 * kEnoughPixels / std::max(*few, 1U));
+  return static_cast<int>(std::min<double>(larger * kFirstPixels, kMostPixels));
 }
 
-void bake_direction(PreparedPlant& plant, std::uint32_t vertex, int pixels) {
-  const std::uint32_t side = plant.visibility.side;
-  const CellPixels count = cell_pixels(plant, grid_direction(side, vertex % side, vertex / side), pixels);
+/// A picture of one cell in which it has enough pixels, as far as that can be.
+ParallelView near_view(const PreparedPlant& plant, std::uint32_t cell, const ParallelView& view, std::uint32_t own) {
+  Vec2 low(3e38F), high(-3e38F);
+  for (std::uint32_t q = plant.cells[cell].quads.first; q < plant.cells[cell].quads.last; ++q)
+    for (const PlantQuad::Corner& c : plant.leaves[q].corners)
+      low = glm::min(low, view.pixel(c.position)), high = glm::max(high, view.pixel(c.position));
+  const float side = std::max({high.x - low.x, high.y - low.y, 1e-3F});
+  const float wanted = std::sqrt(1.3F * kEnoughPixels / static_cast<float>(std::max(own, 1U)));
+  const float zoom = own > 0 ? std::min(wanted, kMostForOne / side) : kMostForOne / side;
+  return view.part(0.5F * (low + high), zoom, static_cast<int>(side * zoom) + 2);
+}
+
+float nearest_of(const CellPiece& piece, const ParallelView& view) {
+  return view.nearness(piece.middle) + glm::dot(piece.half, glm::abs(view.towards()));
+}
+
+void fill_direction(PreparedPlant& plant, std::uint32_t vertex, const CellPixels& count) {
+  const std::uint32_t all = plant.visibility.side * plant.visibility.side;
   for (std::size_t c = 0; c < plant.cells.size(); ++c)
-    plant.visibility.share[c * side * side + vertex] =
+    plant.visibility.share[c * all + vertex] =
         seen_share(count.seen[c], count.own[c], plant.cells[c].quads.size() == 0);
+}
+
+/// `each`: calls a void(std::uint32_t) with [0, n), in any order, by any thread.
+void bake(PreparedPlant& plant, const VisibilityOptions& options, const CountPixels& count, auto&& each) {
+  if (options.side < 2 || options.side > 257)
+    throw std::invalid_argument("a grid of directions has a side of 2 to 257");
+  if (options.pixels < 0 || options.pixels > 8192)
+    throw std::invalid_argument("a picture has at most 8192 pixels a side");
+  const std::uint32_t side = options.side, all = side * side;
+  plant.visibility.side = side;
+  plant.visibility.share.assign(plant.cells.size() * all, 0);
+  std::vector<std::uint32_t> firsts;
+  for (std::uint32_t vertex = 0; vertex < all; ++vertex)
+    if (first_of_pair(side, vertex % side, vertex / side) == vertex) firsts.push_back(vertex);
+  const int pixels = options.pixels > 0 ? options.pixels : picture_size(plant, count);
+  std::mutex telling;
+  std::size_t done = 0;
+  each(firsts.size(), [&](std::size_t i) {
+    const Vec3d to_eye = grid_direction(side, firsts[i] % side, firsts[i] / side);
+    const ParallelView view = view_of(plant, to_eye, pixels);
+    fill_direction(plant, firsts[i], options.pixels > 0 ? count(view, {}) : enough_pixels(plant, view, count));
+    const std::scoped_lock lock(telling);
+    ++done;
+    if (options.progress) options.progress(static_cast<double>(done) / static_cast<double>(firsts.size()));
+  });
+  for (std::size_t c = 0; c < plant.cells.size(); ++c)
+    for (std::uint32_t vertex = 0; vertex < all; ++vertex)
+      plant.visibility.share[c * all + vertex] =
+          plant.visibility.share[c * all + first_of_pair(side, vertex % side, vertex / side)];
 }
 
 }  // namespace
@@ -99,39 +252,85 @@ std::uint8_t seen_share(std::uint32_t seen, std::uint32_t own, bool empty) {
   return static_cast<std::uint8_t>(std::max<std::uint64_t>(rounded, 1));
 }
 
-CellPixels cell_pixels(const PreparedPlant& plant, const Vec3d& to_eye, int pixels) {
-  const ParallelView view = view_of(plant, to_eye, pixels);
-  IdPicture picture(plant.leaf_image, view);
-  const Run bark = finest_bark(plant);
-  const auto bark_id = static_cast<std::uint32_t>(plant.cells.size());
-  for (std::uint32_t q = bark.first; q < bark.last; ++q) picture.draw(plant.bark[q], bark_id, false);
+CellCounter::CellCounter(const PreparedPlant& plant)
+    : plant_(plant), pieces_(pieces_of(plant)), holes_(std::make_shared<LeafHoles>(plant.leaf_image)) {}
+
+CellPixels CellCounter::operator()(const ParallelView& view, std::optional<std::uint32_t> only) const {
   CellPixels count;
-  for (std::uint32_t c = 0; c < plant.cells.size(); ++c) {
-    std::uint32_t own = 0;
-    for (std::uint32_t q = plant.cells[c].quads.first; q < plant.cells[c].quads.last; ++q)
-      own += picture.draw(plant.leaves[q], c, true);
-    count.own.push_back(own);
-  }
-  count.seen = picture.histogram(plant.cells.size());
+  count.own.assign(plant_.cells.size(), 0);
+  count.seen = count.own;
+  if (only)
+    count_one(view, *only, count);
+  else
+    count_all(view, count);
   return count;
 }
 
+std::span<const PlantQuad> CellCounter::quads_of(const CellPiece& piece) const {
+  const std::vector<PlantQuad>& all = is_leaf(piece) ? plant_.leaves : plant_.bark;
+  return std::span(all).subspan(piece.quads.first, piece.quads.size());
+}
+
+void CellCounter::count_all(const ParallelView& view, CellPixels& count) const {
+  IdPicture picture(view);
+  for (const CellPiece& piece : pieces_) {
+    const std::uint32_t own = picture.draw(quads_of(piece), piece.cell, is_leaf(piece) ? holes_.get() : nullptr);
+    if (is_leaf(piece)) count.own[piece.cell] = own;
+  }
+  count.seen = picture.histogram(count.own.size());
+}
+
+/// Those in the picture that may be nearer than `farthest`; the nearest first.
+std::vector<const CellPiece*> CellCounter::in_front(const ParallelView& view, float farthest) const {
+  std::vector<std::pair<float, const CellPiece*>> found;
+  for (const CellPiece& piece : pieces_)
+    if (const float near = nearest_of(piece, view); near >= farthest && !pixels_of(piece, view).empty())
+      found.emplace_back(near, &piece);
+  std::sort(found.begin(), found.end(), std::greater<>());
+  std::vector<const CellPiece*> pieces;
+  for (const auto& [near, piece] : found) pieces.push_back(piece);
+  return pieces;
+}
+
+void CellCounter::count_one(const ParallelView& view, std::uint32_t cell, CellPixels& count) const {
+  OneCellPicture picture(view);
+  for (std::uint32_t q = plant_.cells[cell].quads.first; q < plant_.cells[cell].quads.last; ++q)
+    picture.draw_own(plant_.leaves[q], *holes_);
+  picture.end_own();
+  count.own[cell] = picture.pixels();
+  for (const CellPiece* piece : in_front(view, picture.farthest())) {
+    if (piece->cell == cell || picture.pixels() == 0) continue;
+    for (const PlantQuad& quad : quads_of(*piece))
+      picture.hide_behind(quad, is_leaf(*piece) ? holes_.get() : nullptr, is_leaf(*piece) && piece->cell > cell);
+  }
+  count.seen[cell] = picture.pixels();
+}
+
+int picture_size(const PreparedPlant& plant, const CountPixels& count) {
+  return enough_for_most(count(view_of(plant, glm::normalize(Vec3d(2, 1, 1)), kFirstPixels), {}).own);
+}
+
+CellPixels enough_pixels(const PreparedPlant& plant, const ParallelView& view, const CountPixels& count) {
+  CellPixels all = count(view, {});
+  for (std::uint32_t c = 0; c < plant.cells.size(); ++c) {
+    if (all.own[c] >= kEnoughPixels || plant.cells[c].quads.size() == 0) continue;
+    const CellPixels nearer = count(near_view(plant, c, view, all.own[c]), c);
+    if (nearer.own[c] <= all.own[c]) continue;
+    all.own[c] = nearer.own[c];
+    all.seen[c] = nearer.seen[c];
+  }
+  return all;
+}
+
 void bake_visibility(PreparedPlant& plant, const VisibilityOptions& options) {
-  if (options.side < 2 || options.side > 257)
-    throw std::invalid_argument("a grid of directions has a side of 2 to 257");
-  if (options.pixels < 0 || options.pixels > 8192)
-    throw std::invalid_argument("a picture has at most 8192 pixels a side");
-  const std::uint32_t side = options.side, all = side * side;
-  plant.visibility.side = side;
-  plant.visibility.share.assign(plant.cells.size() * all, 0);
-  const int pixels = options.pixels > 0 ? options.pixels : enough_pixels(plant);
-  tbb::parallel_for(0U, all, [&](std::uint32_t vertex) {
-    if (first_of_pair(side, vertex % side, vertex / side) == vertex) bake_direction(plant, vertex, pixels);
+  bake(plant, options, CellCounter(plant),
+       [](std::size_t n, auto&& one) { tbb::parallel_for(std::size_t{0}, n, one); });
+}
+
+void bake_visibility(PreparedPlant& plant, const VisibilityOptions& options, const CountPixels& count) {
+  bake(plant, options, count, [](std::size_t n, auto&& one) {
+    for (std::size_t i = 0; i < n; ++i) one(i);
   });
-  for (std::size_t c = 0; c < plant.cells.size(); ++c)
-    for (std::uint32_t vertex = 0; vertex < all; ++vertex)
-      plant.visibility.share[c * all + vertex] =
-          plant.visibility.share[c * all + first_of_pair(side, vertex % side, vertex / side)];
 }
 
 }  // namespace manzana::foliage

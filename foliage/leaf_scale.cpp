@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "foliage/lod_factor.h"
 #include "foliage/random.h"
@@ -22,7 +23,14 @@ Vec3d view_direction(std::size_t view) {
   return glm::normalize(Vec3d(std::cos(angle), std::sin(angle), view % 2 == 0 ? 0.05 : 0.6));
 }
 
+/// With room for a block past the last pixel.
 using Hits = std::vector<std::uint8_t>;
+constexpr int kBlock = 8;
+bool all_hit(const std::uint8_t* first) {
+  std::uint64_t eight;
+  std::memcpy(&eight, first, kBlock);
+  return eight == 0x0101010101010101U;
+}
 
 /// The plant's silhouettes from all views.
 class Silhouettes {
@@ -30,7 +38,7 @@ class Silhouettes {
   explicit Silhouettes(const PreparedPlant& plant) : plant_(plant), holes_(plant.leaf_image) {
     for (std::size_t v = 0; v < kViews; ++v) {
       views_.push_back(view_of(plant, view_direction(v), kPixels, kMargin));
-      bark_.emplace_back(std::size_t{kPixels} * kPixels, std::uint8_t{0});
+      bark_.emplace_back(std::size_t{kPixels} * kPixels + kBlock, std::uint8_t{0});
     }
     tbb::parallel_for(std::size_t{0}, kViews, [&](std::size_t v) {
       const Run bark = finest_bark(plant);
@@ -78,16 +86,19 @@ class Silhouettes {
   }
 
   void draw(const PlantQuad& quad, float scale, bool leaf, const ParallelView& view, Hits& hits) const {
-    std::array<Vec2, 4> at, uv;
-    for (std::size_t k = 0; k < 4; ++k) {
-      at[k] = view.pixel(scaled_corner(quad, k, scale));
-      uv[k] = Vec2(quad.corners[k].u, quad.corners[k].v) * (kUvRange / 65535);
-    }
-    for (const std::size_t k : {1U, 2U})
-      for_each_pixel({at[0], at[k], at[k + 1]}, kPixels, [&](int x, int y, float v, float w) {
-        std::uint8_t& hit = hits[static_cast<std::size_t>(y * kPixels + x)];
-        if (hit == 0 && (!leaf || holes_.opaque(uv[0] + (uv[k] - uv[0]) * v + (uv[k + 1] - uv[0]) * w))) hit = 1;
-      });
+    std::array<Vec2, 4> at;
+    for (std::size_t k = 0; k < 4; ++k) at[k] = view.pixel(scaled_corner(quad, k, scale));
+    const QuadUv uv(quad);
+    for_each_quad_span(at, form_of(quad, uv), kPixels, [&](const PixelSpan& span, const QuadPart& part) {
+      const Along u(span, uv.u, part), v(span, uv.v, part);
+      std::uint8_t* hit = &hits[static_cast<std::size_t>(span.y * kPixels + span.first)];
+      for (int i = 0; i < span.last - span.first; ++i) {
+        if (all_hit(hit + i))
+          i += kBlock - 1;  // most are, where leaves lie deep
+        else if (hit[i] == 0 && (!leaf || holes_.opaque(u[i], v[i])))
+          hit[i] = 1;
+      }
+    });
   }
 
   const PreparedPlant& plant_;

@@ -27,21 +27,19 @@ class ShadePicture {
         shade_(near_.size()) {}
 
   void draw(const PlantQuad& quad, const LeafHoles& holes) {
-    std::array<Vec2, 4> at, uv;
-    std::array<Vec2, 4> depth_shade;
+    std::array<Vec2, 4> at;
+    std::array<float, 4> near, shade;
     for (std::size_t k = 0; k < 4; ++k) {
-      const PlantQuad::Corner& corner = quad.corners[k];
-      at[k] = view_.pixel(corner.position);
-      uv[k] = Vec2(corner.u, corner.v) * (kUvRange / 65535);
-      depth_shade[k] = {view_.nearness(corner.position), static_cast<float>(quad.shades[k]) / 255};
+      at[k] = view_.pixel(quad.corners[k].position);
+      near[k] = view_.nearness(quad.corners[k].position);
+      shade[k] = static_cast<float>(quad.shades[k]) / 255;
     }
-    for (const std::size_t k : {1U, 2U})
-      for_each_pixel({at[0], at[k], at[k + 1]}, kPixels, [&](int x, int y, float v, float w) {
-        const auto mixed = [&](const std::array<Vec2, 4>& c) {
-          return c[0] + (c[k] - c[0]) * v + (c[k + 1] - c[0]) * w;
-        };
-        if (holes.opaque(mixed(uv))) put(x, y, mixed(depth_shade));
-      });
+    const QuadUv uv(quad);
+    for_each_quad_span(at, Form::triangle, kPixels, [&](const PixelSpan& span, const QuadPart& part) {
+      const Along u(span, uv.u, part), v(span, uv.v, part), depth(span, near, part), light(span, shade, part);
+      for (int i = 0; i < span.last - span.first; ++i)
+        if (holes.opaque(u[i], v[i])) put(span.first + i, span.y, {depth[i], light[i]});
+    });
   }
 
   void draw(const LeafPoint& point) {

@@ -1,91 +1,151 @@
 #pragma once
-/// Small pictures of plants on the CPU, for fitting and as an oracle: pixel centres in triangles, holes of leaves by
-/// alpha, parallel views from all around.
+/// Small pictures of plants on the CPU, for fitting and as an oracle: pixel centres in triangles, and the holes of
+/// leaves by alpha.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "foliage/prepared_plant.h"
+#include "foliage/parallel_view.h"
 
 namespace manzana::foliage {
 
-/// Columns and rows; visits pixels whose centres lie in the closed triangle, with the weights of corners 1 and 2.
-/// Corners in pixels; those outside the picture are cut off.
-template <class Visit>  // void(int x, int y, float v, float w)
-void for_each_pixel(const std::array<Vec2, 3>& t, int pixels, Visit&& visit) {
+/// Pixels [first, last) of a row, whose centres lie in a closed triangle or parallelogram, but for a rounding at its
+/// edges. v and w: the weights of corners 1 and 2 at the first, and how they change from pixel to pixel.
+struct PixelSpan {
+  int y, first, last;
+  float v, w, dv, dw;
+};
+
+/// Bounds of a row's pixels by the edges of what is drawn, each a line of x over y: the largest of those on the left,
+/// the smallest of those on the right.
+class EdgeBounds {
+ public:
+  EdgeBounds(float left, float right) : left_{left, left}, right_{right, right} {}
+
+  /// Where weight + along * x + up * y >= 0.
+  void add(float weight, float along, float up) {
+    if (along == 0) return;
+    const float scale = -1 / along;
+    if (along > 0)
+      left_[lefts_] = weight * scale, left_step_[lefts_++] = up * scale;
+    else
+      right_[rights_] = weight * scale, right_step_[rights_++] = up * scale;
+  }
+  float left(float y) const { return std::max(left_[0] + left_step_[0] * y, left_[1] + left_step_[1] * y); }
+  float right(float y) const { return std::min(right_[0] + right_step_[0] * y, right_[1] + right_step_[1] * y); }
+
+ private:
+  std::array<float, 2> left_, right_, left_step_{}, right_step_{};
+  std::size_t lefts_ = 0, rights_ = 0;
+};
+
+enum class Form : std::uint8_t { triangle, parallelogram };
+
+/// Three corners in pixels, of a parallelogram the first, and those beside it. What is outside the picture is cut off.
+template <class Visit>  // void(const PixelSpan&)
+void for_each_span(const std::array<Vec2, 3>& t, int pixels, Visit&& visit, Form form = Form::triangle) {
   const Vec2 pa = t[0], pb = t[1] - pa, pc = t[2] - pa;
   const float area = pb.x * pc.y - pb.y * pc.x;
   if (std::abs(area) < 1e-9F) return;
-  const Vec2 low = glm::min(glm::min(Vec2(0), pb), pc) + pa, high = glm::max(glm::max(Vec2(0), pb), pc) + pa;
-  const auto pixel = [&](float v) {
-    return static_cast<int>(std::clamp(std::ceil(v - 0.5F), 0.0F, static_cast<float>(pixels)));
+  const float most = static_cast<float>(pixels);
+  const auto pixel = [&](float v) {  // the first whose centre is not below
+    const float at = std::clamp(v - 0.5F, 0.0F, most);
+    const int whole = static_cast<int>(at);
+    return whole + (at > static_cast<float>(whole) ? 1 : 0);
   };
-  for (int y = pixel(low.y); y < pixel(high.y); ++y) {
-    for (int x = pixel(low.x); x < pixel(high.x); ++x) {
-      const Vec2 p = Vec2(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F) - pa;
-      const float v = (p.x * pc.y - p.y * pc.x) / area, w = (pb.x * p.y - pb.y * p.x) / area;
-      if (v >= 0 && w >= 0 && v + w <= 1) visit(x, y, v, w);
-    }
+  const Vec2 pd = form == Form::parallelogram ? pb + pc : pb;
+  const int bottom = pixel(pa.y + std::min({0.0F, pb.y, pc.y, pd.y})),
+            top = pixel(pa.y + std::max({0.0F, pb.y, pc.y, pd.y}));
+  const Vec2 v = Vec2(pc.y, -pc.x) / area, w = Vec2(-pb.y, pb.x) / area;  // weights of a place relative to corner 0
+  EdgeBounds bounds(std::min({0.0F, pb.x, pc.x, pd.x}), std::max({0.0F, pb.x, pc.x, pd.x}));
+  bounds.add(0, v.x, v.y);
+  bounds.add(0, w.x, w.y);
+  if (form == Form::triangle) {
+    bounds.add(1, -v.x - w.x, -v.y - w.y);
+  } else {
+    bounds.add(1, -v.x, -v.y);
+    bounds.add(1, -w.x, -w.y);
+  }
+  for (int y = bottom; y < top; ++y) {
+    const float py = static_cast<float>(y) + 0.5F - pa.y;
+    const int first = pixel(pa.x + bounds.left(py)), last = pixel(pa.x + bounds.right(py));
+    if (first >= last) continue;
+    const Vec2 p(static_cast<float>(first) + 0.5F - pa.x, py);
+    visit(PixelSpan{y, first, last, glm::dot(v, p), glm::dot(w, p), v.x, w.x});
   }
 }
+
+/// Which corners of a quad are corners 1 and 2 of what is drawn of it; corner 0 is its own.
+struct QuadPart {
+  std::size_t b, c;
+};
+
+/// What is linear over a part of a quad, along a span of it: [i] at its pixel i.
+class Along {
+ public:
+  Along(const PixelSpan& span, const std::array<float, 4>& corners, const QuadPart& part) {
+    const float a = corners[0], b = corners[part.b] - a, c = corners[part.c] - a;
+    value_ = a + b * span.v + c * span.w;
+    step_ = b * span.dv + c * span.dw;
+  }
+  float operator[](int i) const { return value_ + step_ * static_cast<float>(i); }
+  float step() const { return step_; }
+
+ private:
+  float value_, step_;
+};
 
 /// Where a leaf's picture is leaf: texels with alpha of one half or more. uv repeat. Without a picture, everywhere.
 class LeafHoles {
  public:
-  explicit LeafHoles(const Image& image) : image_(&image) {}
-  bool opaque(const Vec2& uv) const {
-    if (image_->size == 0) return true;
-    const auto at = [&](float v) {
-      return static_cast<std::size_t>(
-          std::clamp(static_cast<int>((v - std::floor(v)) * static_cast<float>(image_->size)), 0, image_->size - 1));
-    };
-    return image_->rgba[4 * (at(uv.y) * static_cast<std::size_t>(image_->size) + at(uv.x)) + 3] >= 128;
+  explicit LeafHoles(const Image& image) : size_(std::max(image.size, 1)) {
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) opaque_.push_back(image.rgba[i] >= 128);
+    if (opaque_.empty()) opaque_.push_back(1);
   }
+  /// From -1 on.
+  bool opaque(float u, float v) const { return opaque_[static_cast<std::size_t>(texel(v) * size_ + texel(u))] != 0; }
 
  private:
-  const Image* image_;
-};
-
-/// A square picture by parallel rays, of a ball.
-class ParallelView {
- public:
-  /// `to_eye`: unit.
-  ParallelView(const Vec3d& to_eye, const Vec3& centre, float radius, int pixels)
-      : centre_(centre), depth_(to_eye), pixels_(pixels), scale_(static_cast<float>(pixels) / (2 * radius)) {
-    // Of the coordinate axes the one that is most across.
-    const Vec3d other = std::abs(to_eye.z) < 0.9 ? Vec3d(0, 0, 1) : Vec3d(1, 0, 0);
-    right_ = Vec3(glm::normalize(glm::cross(other, to_eye)));
-    up_ = Vec3(glm::cross(to_eye, Vec3d(right_)));
+  int texel(float at) const {
+    const float up = at + 1, part = up - static_cast<float>(static_cast<int>(up));
+    return std::min(static_cast<int>(part * static_cast<float>(size_)), size_ - 1);
   }
 
-  int pixels() const { return pixels_; }
-  Vec2 pixel(const Vec3& p) const {
-    const Vec3 d = p - centre_;
-    return Vec2(glm::dot(d, right_), glm::dot(d, up_)) * scale_ + Vec2(0.5F * static_cast<float>(pixels_));
-  }
-  float pixels_of(float metres) const { return metres * scale_; }
-  float nearness(const Vec3& p) const { return glm::dot(p - centre_, depth_); }  ///< m towards the eye
-
- private:
-  Vec3 centre_, right_, up_, depth_;
-  int pixels_;
-  float scale_;
+  int size_;
+  std::vector<std::uint8_t> opaque_;
 };
 
-/// Bark as it is at its best.
-inline Run finest_bark(const PreparedPlant& plant) {
-  if (plant.branch_levels.empty()) return {0, static_cast<std::uint32_t>(plant.bark.size())};
-  return plant.branch_levels[0].quads;
+struct QuadUv {
+  explicit QuadUv(const PlantQuad& quad) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      u[c] = static_cast<float>(quad.corners[c].u) * (kUvRange / 65535);
+      v[c] = static_cast<float>(quad.corners[c].v) * (kUvRange / 65535);
+    }
+  }
+  std::array<float, 4> u, v;
+};
+
+/// A parallelogram with a picture that fits: most leaves are. To a ten thousandth of its size.
+inline Form form_of(const PlantQuad& quad, const QuadUv& uv) {
+  const auto& c = quad.corners;
+  const Vec3 off = c[0].position - c[1].position + c[2].position - c[3].position,
+             across = c[2].position - c[0].position;
+  const bool flat = glm::dot(off, off) <= 1e-8F * glm::dot(across, across);
+  const bool fits = std::abs(uv.u[0] - uv.u[1] + uv.u[2] - uv.u[3]) < 1e-3F &&
+                    std::abs(uv.v[0] - uv.v[1] + uv.v[2] - uv.v[3]) < 1e-3F;
+  return flat && fits ? Form::parallelogram : Form::triangle;
 }
 
-/// Of the ball round all corners, `margin` times as large.
-inline ParallelView view_of(const PreparedPlant& plant, const Vec3d& to_eye, int pixels, float margin = 1) {
-  Vec3 low(3e38F), high(-3e38F);
-  for (const auto* part : {&plant.bark, &plant.leaves})
-    for (const PlantQuad& quad : *part)
-      for (const PlantQuad::Corner& c : quad.corners)
-        low = glm::min(low, c.position), high = glm::max(high, c.position);
-  return {to_eye, 0.5F * (low + high), std::max(0.5F * margin * glm::length(high - low), 1e-6F), pixels};
+/// Spans of a quad whose corners are at those pixels: of a parallelogram, or of both its triangles.
+template <class Visit>  // void(const PixelSpan&, const QuadPart&)
+void for_each_quad_span(const std::array<Vec2, 4>& at, Form form, int pixels, Visit&& visit) {
+  const auto draw = [&](const QuadPart& part) {
+    const auto each = [&](const PixelSpan& span) { visit(span, part); };
+    for_each_span({at[0], at[part.b], at[part.c]}, pixels, each, form);
+  };
+  if (form == Form::parallelogram) return draw({1, 3});
+  draw({1, 2});
+  draw({2, 3});
 }
 
 }  // namespace manzana::foliage

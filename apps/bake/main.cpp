@@ -1,5 +1,5 @@
 // manzana-bake: prepares plants ahead of time.
-// SHOWS: load_plant, prepare, write_prepared. READ FIRST: foliage/prepare.h.
+// SHOWS: load_plant, prepare, bake_visibility, write_prepared. READ FIRST: foliage/prepare.h.
 #include <chrono>
 #include <cstdio>
 #include <stdexcept>
@@ -22,14 +22,22 @@ void print(const std::string& text) {
   std::fflush(stdout);
 }
 
-foliage::PreparedPlant prepared(const foliage::Plant& plant, const std::string& file) {
+/// And who counted what is seen of its cells.
+std::pair<foliage::PreparedPlant, std::string> prepared(const foliage::Plant& plant, const bake::Options& options) {
+  constexpr double kBefore = 0.5;  // of the work, where visibility is counted
+  const double before = options.visibility == bake::VisibilityBy::none ? 1 : kBefore;
   apps::ProgressBar bar(stderr);
-  foliage::PrepareOptions options;
-  options.progress = [&](double done) { bar.show("preparing", done); };
+  foliage::PrepareOptions how;
+  how.visibility_side = 0;
+  how.progress = [&](double done) { bar.show("preparing", before * done); };
   try {
-    return foliage::prepare(plant, options);
+    foliage::PreparedPlant ready = foliage::prepare(plant, how);
+    const auto tell = [&](double done) { bar.show("preparing", before + (1 - before) * done); };
+    std::string by = bake::bake_visibility(ready, options.visibility, tell);
+    tell(1);
+    return {std::move(ready), std::move(by)};
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(file + ": " + error.what());
+    throw std::runtime_error(options.source.file.string() + ": " + error.what());
   }
 }
 
@@ -38,8 +46,9 @@ int run(const bake::Options& options) {
   const foliage::PlantReading reading = foliage::load_plant(options.source);
   print(bake::source_report(reading));
   const double read = seconds_now();
-  const foliage::PreparedPlant plant = prepared(reading.plant, options.source.file.string());
+  const auto [plant, counted_by] = prepared(reading.plant, options);
   print(bake::prepared_report(plant));
+  std::printf("visibility %u directions a side, by: %s\n", plant.visibility.side, counted_by.c_str());
   foliage::write_prepared(options.out, plant);
   std::printf("seconds    %.2f to read, %.2f to prepare and write %s\n", read - start, seconds_now() - read,
               options.out.c_str());

@@ -4,6 +4,7 @@
 ///   if (!parsed.options) return apps::reply(parsed);        // --help, --version or wrong usage
 #include <filesystem>
 
+#include "apps/bake/visibility.h"
 #include "apps/common/program.h"
 #include "foliage/import/load_plant.h"
 
@@ -12,6 +13,7 @@ namespace manzana::bake {
 struct Options {
   foliage::PlantSource source;
   std::filesystem::path out;
+  VisibilityBy visibility = VisibilityBy::best;
 };
 
 using Parsed = apps::Parsed<Options>;

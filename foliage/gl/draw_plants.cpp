@@ -5,12 +5,13 @@
 namespace manzana::foliage {
 namespace {
 
-gl::Program make_program(std::string_view name, const HostShaders& host, std::string_view main, std::string_view cover,
+gl::Program make_program(std::string_view name, const HostShaders& host, const gl::Pieces& main, std::string_view cover,
                          const gl::Pieces& fragment) {
   using namespace shaders;
   gl::Pieces vertex{version_glsl, select_layout_glsl, extract_glsl, hash_glsl};
   vertex.insert(vertex.end(), host.vertex.begin(), host.vertex.end());
-  vertex.insert(vertex.end(), {plant_glsl, main});
+  vertex.insert(vertex.end(), {plant_glsl});
+  vertex.insert(vertex.end(), main.begin(), main.end());
   gl::Pieces pixels{version_glsl, cover};
   pixels.insert(pixels.end(), fragment.begin(), fragment.end());
   return gl::make_program(name, vertex, pixels);
@@ -48,9 +49,10 @@ void use(const gl::Program& program, const gl::Buffer& primitives, const DrawPla
 }  // namespace
 
 PlantPrograms::PlantPrograms(const HostShaders& host)
-    : quads(make_program("plant_quads", host, shaders::plant_quads_vert, shaders::cover_glsl, host.quads)),
-      lines(make_program("plant_lines", host, shaders::plant_lines_vert, shaders::cover_glsl, host.lines)),
-      points(make_program("plant_points", host, shaders::plant_points_vert, "", host.points)),
+    : quads(make_program("plant_quads", host, {shaders::plant_quad_glsl, shaders::plant_quads_vert},
+                         shaders::cover_glsl, host.quads)),
+      lines(make_program("plant_lines", host, {shaders::plant_lines_vert}, shaders::cover_glsl, host.lines)),
+      points(make_program("plant_points", host, {shaders::plant_points_vert}, "", host.points)),
       indices(make_quad_indices(glsl::kQuadsOfDraw)) {
   array = make_array(indices);
 }

@@ -16,7 +16,7 @@
 namespace manzana::foliage {
 
 /// Of files, and of what prepare() makes of a plant: raised whenever either changes.
-inline constexpr std::uint32_t kPlantFormat = 4;
+inline constexpr std::uint32_t kPlantFormat = 5;
 
 std::string encoded(const PreparedPlant& plant);
 

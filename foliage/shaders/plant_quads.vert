@@ -1,10 +1,3 @@
-struct PlantQuad {
-  uvec4 corners[4];  // position, u and v
-  uvec4 normals;
-  uvec4 anchor_shades;
-};
-layout(std430, binding = 17) readonly buffer Quads { PlantQuad quads[]; };
-
 layout(location = 0) centroid out vec3 out_uv;
 layout(location = 1) out vec3 out_light;
 layout(location = 2) out vec3 out_air;
@@ -31,7 +24,7 @@ void main() {
   }
   vec3 rel = swayed(tree, p, quads[index].normals[corner]);
   float shade = float((anchor_shades.w >> (8u * corner)) & 255u) * (1.0 / 255.0);
-  out_uv = vec3(vec2(bits.w & 0xffffu, bits.w >> 16u) * (8.0 / 65535.0), float(2u * tree.plant) + leaf);
+  out_uv = vec3(corner_uv(bits), float(2u * tree.plant) + leaf);
   plant_light(rel, turn_normal(tree, quads[index].normals[corner]), shade, leaf, tint_of(tree), out_light, out_air);
   out_hash = mixed(tree.hash + index);
   gl_Position = clip_position(rel);

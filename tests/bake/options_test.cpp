@@ -24,6 +24,15 @@ TEST_CASE("bake options: a plant, where to, and which L-system") {
   CHECK(system.options->source.system == "bush");
 }
 
+TEST_CASE("bake options: who counts what is seen") {
+  CHECK(parsed({"plant", "a.glb", "-o", "a.plant"}).options->visibility == VisibilityBy::best);
+  CHECK(parsed({"plant", "a.glb", "-o", "a.plant", "--visibility", "queries"}).options->visibility ==
+        VisibilityBy::queries);
+  const Parsed wrong = parsed({"plant", "a.glb", "-o", "a.plant", "--visibility", "eye"});
+  CHECK(wrong.exit_code == 2);
+  CHECK_THAT(wrong.text, Catch::Contains("is none of best, gpu, cpu, queries, none"));
+}
+
 TEST_CASE("bake options: help and version are 0, wrong usage is 2 and one line") {
   CHECK(parsed({"--help"}).exit_code == 0);
   CHECK_THAT(parsed({"plant", "--help"}).text, Catch::Contains("FILE#NAME"));

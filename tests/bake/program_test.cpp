@@ -58,6 +58,22 @@ TEST_CASE("bake program: a species is prepared, told of, and the same again") {
   CHECK(read_all(folder.path() / "out.plant") == first);
 }
 
+TEST_CASE("bake program: visibility by each way, and who it was") {
+  const TemporaryFolder folder;
+  const std::pair<const char*, const char*> ways[] = {
+      {"gpu", "pictures of cell ids"}, {"cpu", "by: CPU\n"}, {"queries", "occlusion queries"}, {"none", "by: none\n"}};
+  for (const auto& [way, says] : ways) {
+    const Path out = folder.path() / (std::string(way) + ".plant");
+    const Ended ended = run_program(MANZANA_BAKE, folder.path(),
+                                    {"plant", MANZANA_SPECIES "/shrub.json", "-o", out, "--visibility", way});
+    CAPTURE(way, ended.err);
+    REQUIRE(ended.code == 0);
+    CHECK_THAT(ended.out, Catch::Contains(says));
+    const manzana::foliage::PreparedPlant plant = manzana::foliage::read_prepared(out);
+    CHECK(plant.visibility.share.empty() == (std::string(way) == "none"));
+  }
+}
+
 TEST_CASE("bake program: help goes to stdout, wrong usage is 2") {
   const TemporaryFolder folder;
   CHECK_THAT(run_program(MANZANA_BAKE, folder.path(), {"--help"}).out, Catch::Contains("plant"));

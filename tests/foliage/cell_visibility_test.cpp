@@ -12,24 +12,11 @@
 #include "foliage/import/species.h"
 #include "foliage/octahedral.h"
 #include "foliage/prepare.h"
+#include "tests/foliage/hand_cells.h"
 #include "tests/support/data.h"
 
 namespace manzana::foliage {
 namespace {
-
-/// A square across x, with its middle at x, as wide as twice `half`.
-PlantQuad square(float x, float half) {
-  PlantQuad quad{};
-  const float y[]{-half, half, half, -half}, z[]{-half, -half, half, half};
-  for (std::size_t k = 0; k < 4; ++k) quad.corners[k].position = {x, y[k], z[k]};
-  return quad;
-}
-
-void add_cell(PreparedPlant& plant, const std::vector<PlantQuad>& quads) {
-  const auto first = static_cast<std::uint32_t>(plant.leaves.size());
-  plant.leaves.insert(plant.leaves.end(), quads.begin(), quads.end());
-  plant.cells.push_back({{}, Mat3(1), Vec3(1), {first, static_cast<std::uint32_t>(plant.leaves.size())}});
-}
 
 std::uint8_t share(const PreparedPlant& plant, std::uint32_t cell, const Vec3d& direction) {
   const std::uint32_t side = plant.visibility.side;
@@ -141,7 +128,7 @@ TEST_CASE("cells are seen as rays see them") {
   REQUIRE(plant.cells.size() > 3);
   for (const Vec3d& to_eye : {glm::normalize(Vec3d(1, .2, .1)), glm::normalize(Vec3d(-.3, .7, .6))}) {
     constexpr int kPixels = 64;
-    const CellPixels ours = cell_pixels(plant, to_eye, kPixels), rays = cast(plant, to_eye, kPixels);
+    const CellPixels ours = CellCounter(plant)(view_of(plant, to_eye, kPixels)), rays = cast(plant, to_eye, kPixels);
     std::uint32_t own = 0, off = 0;
     for (std::size_t c = 0; c < plant.cells.size(); ++c) {
       own += rays.own[c];
@@ -167,6 +154,49 @@ TEST_CASE("both vertices of a pair see the same") {
   }
   CHECK_THROWS_AS(bake_visibility(plant, {.side = 1}), std::invalid_argument);
   CHECK_THROWS_AS(bake_visibility(plant, {.side = 9, .pixels = -1}), std::invalid_argument);
+}
+
+TEST_CASE("a cell of a few pixels is looked at nearer") {
+  PreparedPlant plant;
+  add_cell(plant, {square(0, 10)});
+  add_cell(plant, {square(1, 0.02F, 3)});
+  add_cell(plant, {square(2, 0.02F, 3 + 0.02F)});  // hides the half of it
+  add_cell(plant, {square(1, 0.02F, -3)});
+  bake_visibility(plant, {.side = 3});
+  CHECK(static_cast<double>(share(plant, 1, {1, 0, 0})) == Approx(255 * 0.5).margin(255 * 0.048));
+  CHECK(share(plant, 2, {1, 0, 0}) == 255);
+  CHECK(share(plant, 3, {1, 0, 0}) == 255);
+  for (const std::uint32_t cell : {1U, 2U, 3U}) CHECK(share(plant, cell, {-1, 0, 0}) == 0);
+}
+
+TEST_CASE("shares are within three standard errors of those of a finer picture") {
+  const auto folder = data_file("trees");
+  if (!folder) return;
+  for (const char* name : {"aspen_medium_modelled.glb", "ash_medium.glb"}) {
+    const PreparedPlant plant = prepare(read_plant(*folder / name), {.visibility_side = 0});
+    const CellCounter counter(plant);
+    const Vec3d to_eye = glm::normalize(Vec3d(0.3, -1, 0.4));
+    const ParallelView view = view_of(plant, to_eye, picture_size(plant, counter));
+    const CellPixels ours = enough_pixels(plant, view, counter), fine = counter(view_of(plant, to_eye, 4096));
+    std::size_t few = 0;
+    for (std::size_t c = 0; c < plant.cells.size(); ++c) {
+      few += ours.own[c] < kEnoughPixels ? 1 : 0;
+      const auto part = [&](const CellPixels& count) { return static_cast<double>(count.seen[c]) / count.own[c]; };
+      const double pixels = std::min(ours.own[c], fine.own[c]);
+      CAPTURE(name, c, ours.own[c], fine.own[c]);
+      CHECK(std::abs(part(ours) - part(fine)) <= 3 * 0.5 / std::sqrt(pixels));
+    }
+    CHECK(few == 0);
+  }
+}
+
+TEST_CASE("progress of visibility rises to one") {
+  PreparedPlant plant = prepare(grow_plant(builtin_species("shrub"), 3), {.visibility_side = 0});
+  std::vector<double> told;
+  bake_visibility(plant, {.side = 5, .progress = [&](double done) { told.push_back(done); }});
+  CHECK(told.size() > 10);
+  CHECK(std::is_sorted(told.begin(), told.end()));
+  CHECK(told.back() == 1);
 }
 
 // The figures of the report: run by their name.

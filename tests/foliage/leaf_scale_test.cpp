@@ -61,7 +61,7 @@ std::vector<Vec3d> directions() {
 double covered(const PreparedPlant& plant) {
   double sum = 0;
   for (const Vec3d& to_eye : directions()) {
-    const CellPixels pixels = cell_pixels(plant, to_eye, kPixels);
+    const CellPixels pixels = CellCounter(plant)(view_of(plant, to_eye, kPixels));
     for (const std::uint32_t seen : pixels.seen) sum += seen;
   }
   return sum;
@@ -193,9 +193,11 @@ TEST_CASE("every level of points covers what the leaves do") {
       for (std::uint32_t p = points.first; p < points.last; ++p) {
         const Vec2 c = view.pixel(plant.points[p].position);
         const float half = 0.5F * view.pixels_of(std::sqrt(plant.points[p].area));
-        const auto set = [&](int x, int y, float, float) { hits[static_cast<std::size_t>(y * kPixels + x)] = true; };
+        const auto set = [&](const PixelSpan& span) {
+          for (int x = span.first; x < span.last; ++x) hits[static_cast<std::size_t>(span.y * kPixels + x)] = true;
+        };
         for (const float turn : {-1.0F, 1.0F})
-          for_each_pixel({c + Vec2(-half), c + Vec2(half), c + Vec2(half, -half) * turn}, kPixels, set);
+          for_each_span({c + Vec2(-half), c + Vec2(half), c + Vec2(half, -half) * turn}, kPixels, set);
       }
       sum += static_cast<double>(std::count(hits.begin(), hits.end(), true));
     }
