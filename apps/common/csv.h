@@ -3,7 +3,11 @@
 ///   const std::array kColumns{Column<Row>{"seed", "", "of the city", &Row::seed}, ...};
 ///   std::string text = to_csv<Row>(rows, kColumns);
 /// An empty cell is a value that was not measured. Decimal point, UTF-8, quotes as in RFC 4180.
+#include <algorithm>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -76,6 +80,25 @@ std::optional<Row> from_line(std::string_view line, std::span<const Column<Row>>
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (!std::visit([&](auto field) { return from_cell(cells[i], row.*field); }, columns[i].field)) return std::nullopt;
   return row;
+}
+
+/// Lines that are no rows are passed over, so that a text of another version counts as empty.
+template <class Row>
+std::vector<Row> rows_of(std::string_view csv, std::span<const Column<Row>> columns) {
+  std::vector<Row> rows;
+  while (!csv.empty()) {
+    const std::size_t end = std::min(csv.find('\n'), csv.size());
+    if (auto row = from_line(csv.substr(0, end), columns)) rows.push_back(*std::move(row));
+    csv.remove_prefix(std::min(end + 1, csv.size()));
+  }
+  return rows;
+}
+
+/// Of a file that may not be there.
+template <class Row>
+std::vector<Row> rows_in(const std::filesystem::path& file, std::span<const Column<Row>> columns) {
+  std::ifstream in(file, std::ios::binary);
+  return rows_of(std::string(std::istreambuf_iterator<char>(in), {}), columns);
 }
 
 /// A table of the columns, in Markdown.

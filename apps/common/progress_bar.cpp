@@ -28,10 +28,12 @@ void ProgressBar::end_line() {
 void ProgressBar::show(std::string_view stage, double fraction, std::string_view note) {
   const int percent = fraction > 0 ? static_cast<int>(std::min(fraction, 1.0) * 100) : 0;
   const int step = terminal_ ? percent : percent / 25 * 25;
-  if (stage == stage_ && step == shown_) return;
+  const bool same_note = !terminal_ || note == note_;
+  if (stage == stage_ && step == shown_ && same_note) return;
   if (stage != stage_) end_line();
   stage_ = stage;
   shown_ = step;
+  note_ = note;
   const std::string after = note.empty() ? "" : ", " + std::string(note);
   if (terminal_)
     std::fprintf(out_, "\r\033[K%-12s [%s] %3d %%%s", stage_.c_str(), bar_of(step).c_str(), step, after.c_str());

@@ -25,7 +25,7 @@ class ProgressBar {
   std::FILE* out_;
   bool terminal_;
   bool open_ = false;  // a bar stands on the last line
-  std::string stage_;
+  std::string stage_, note_;
   int shown_ = -1;  // percent on the terminal, quarters otherwise
 };
 

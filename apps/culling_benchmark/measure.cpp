@@ -4,9 +4,8 @@
 #include <cctype>
 #include <chrono>
 
-#include "apps/common/machine.h"
+#include "apps/common/conditions.h"
 #include "apps/common/statistics.h"
-#include "apps/culling_benchmark/conditions.h"
 #include "apps/culling_benchmark/frame_table.h"
 #include "apps/culling_benchmark/rules.h"
 #include "apps/culling_benchmark/stock.h"
@@ -53,7 +52,7 @@ double seconds_for(const Options& options, const std::string& name, int process,
          static_cast<double>(peers_for(options, name).size());
 }
 
-void set_times(RunRow& row, const PairTimes& times, const Conditions& during) {
+void set_times(RunRow& row, const PairTimes& times) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < times.peer_us.size(); ++i) ratios.push_back(times.peer_us[i] / times.bqr_us[i]);
   const apps::Interval interval = apps::median_interval(ratios);
@@ -62,9 +61,6 @@ void set_times(RunRow& row, const PairTimes& times, const Conditions& during) {
   row.ratio = apps::median_ratio(ratios);
   row.ratio_lo = interval.low;
   row.ratio_hi = interval.high;
-  row.calibration_ms = during.calibration_ms;
-  row.others_cores = during.others_cores;
-  row.steal = during.steal;
 }
 
 void set_counts(RunRow& row, const Counts& counts) {
@@ -79,8 +75,7 @@ class Measurer {
  public:
   Measurer(const Options& options, std::span<const RunRow> finished, const Tell& tell)
       : options_(options), finished_(finished), tell_(tell), rules_(rules_of(options)) {
-    for (const RunRow& row : finished) note_calibration(row.calibration_ms);
-    for (int i = 0; i < 5; ++i) note_calibration(calibrate_ms());
+    for (const RunRow& row : finished) undisturbed_.note_calibration(row.calibration_ms);
   }
 
   void run() {
@@ -93,8 +88,6 @@ class Measurer {
   }
 
  private:
-  void note_calibration(double ms) { best_calibration_ms_ = std::min(best_calibration_ms_, ms); }
-
   Given prepare(const std::string& name, int frames) {
     Workload work = make_workload(name, options_.seed, frames, cities_);
     const double before = seconds_now();
@@ -163,20 +156,15 @@ class Measurer {
     const Plan plan = plan_pairs(limits_now(), bqr_us_, query_times(counts), info.cold ? stream_us() : 0);
     row.timed_frames = plan.frames.size();
     row.pairs = plan.pairs;
-    for (row.attempts = 1;; ++row.attempts) {
-      const double start = seconds_now();
-      const Watch watch;
-      const PairTimes times =
-          time_pairs(bqr_, peer, info.cold, plan, hash_bits(row.seed, row.process * 64 + row.attempts));
-      const Conditions during = watch.stop();
-      note_calibration(during.calibration_ms);
-      set_times(row, times, during);
-      row.dirty = disturbed(during, best_calibration_ms_, info.threads) ? 1 : 0;
-      if (row.dirty == 0 || row.attempts == kAttempts || !time_for(seconds_now() - start)) {
-        if (row.process == 1) write_frames(row, plan, times, counts);
-        return;
-      }
-    }
+    PairTimes times;
+    static_cast<apps::Calm&>(row) = undisturbed_.measure(
+        info.threads,
+        [&](std::uint64_t attempt) {
+          times = time_pairs(bqr_, peer, info.cold, plan, hash_bits(row.seed, row.process * 64 + attempt));
+        },
+        [&](double seconds) { return time_for(seconds); });
+    set_times(row, times);
+    if (row.process == 1) write_frames(row, plan, times, counts);
   }
 
   bool time_for(double seconds) const { return seconds_now() + seconds < row_start_ + row_seconds_; }
@@ -195,7 +183,7 @@ class Measurer {
   Cities cities_;
   Stock stock_;
   double end_ = 0, case_end_ = 0, row_start_ = 0, row_seconds_ = 0;
-  double best_calibration_ms_ = 1e9;
+  apps::Undisturbed undisturbed_;
   Contender bqr_;               // of the case
   std::vector<double> bqr_us_;  // of each frame, once
 };
@@ -213,11 +201,8 @@ double expected_seconds(const Options& options, int process, std::span<const Run
 }
 
 RunRow expected_row(const Options& options, const std::string& case_name, std::string_view peer, int process) {
-  const apps::Machine& machine = apps::this_machine();
   RunRow row;
-  row.commit = machine.commit;
-  row.machine = apps::short_name(machine);
-  row.mode = rules_of(options).mode;
+  static_cast<apps::RunFacts&>(row) = apps::run_facts(rules_of(options).mode);
   row.scene = scene_state(case_name);
   row.case_name = case_name;
   row.peer = peer;

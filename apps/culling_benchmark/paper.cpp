@@ -6,7 +6,7 @@
 #include <numeric>
 #include <thread>
 
-#include "apps/culling_benchmark/conditions.h"
+#include "apps/common/conditions.h"
 #include "apps/culling_benchmark/paper_lanes.h"
 #include "culling/hash.h"
 #include "gl/context.h"
@@ -69,13 +69,13 @@ int threads(const PaperRun& run) {
 
 void run_part(PaperRun& run, ReadyLanes& ready, double& best_calibration_ms, const Tell& tell) {
   const PaperOptions& o = run.options;
-  const culling_benchmark::Watch watch;
+  const apps::Watch watch;
   for (int frame = run.parts_done; frame < o.frames; frame += o.parts) {
     tell.progress((run.parts_done + static_cast<double>(frame) / o.frames) / o.parts);
     for (const std::size_t lane : shuffled(run.lanes.size(), o.seed, frame))
       run.lanes[lane].frames[static_cast<std::size_t>(frame)] = ready.frame(lane, frame);
   }
-  const culling_benchmark::Conditions during = watch.stop();
+  const apps::Conditions during = watch.stop();
   best_calibration_ms = std::min(best_calibration_ms, during.calibration_ms);
   if (disturbed(during, best_calibration_ms, threads(run))) mark_dirty(run, run.parts_done);
   ++run.parts_done;
@@ -123,7 +123,7 @@ void measure(PaperRun& run, const Tell& tell) {
   ReadyLanes ready(lanes, run.options, stage);
   for (std::size_t i = 0; i < lanes.size(); ++i) run.lanes[i].city_triangles = ready.city_triangles(i);
   warm_up(ready, lanes.size());
-  double longest_s = 0, best_calibration_ms = culling_benchmark::calibrate_ms();
+  double longest_s = 0, best_calibration_ms = apps::calibrate_ms();
   while (run.parts_done < run.options.parts &&
          (run.parts_done == 0 || seconds_since(begin) + longest_s <= run.options.budget_s)) {
     const double before_s = seconds_since(begin);

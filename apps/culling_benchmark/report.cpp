@@ -104,7 +104,7 @@ std::string how_text(const Options& options, std::span<const SummaryRow> table) 
   text += "Fewer than 50 pairs: " + count(d.few_pairs) +
           ". A loop of fixed work before and after each row, and what other programs took, say whether the machine was "
           "left to us; rows for which it was not, in up to " +
-          std::to_string(kAttempts) + " attempts, are marked dirty: " + count(d.dirty) + ".\n\n";
+          std::to_string(apps::kAttempts) + " attempts, are marked dirty: " + count(d.dirty) + ".\n\n";
   return text;
 }
 

@@ -9,7 +9,6 @@ namespace manzana::culling_benchmark {
 
 /// Six, because the range of six process medians holds the true one with 96.9 %, whatever their distribution.
 inline constexpr int kProcesses = 6;
-inline constexpr int kAttempts = 4;  ///< the first, and up to three more when the machine was disturbed
 
 struct Rules {
   std::string mode;  ///< quick or full

@@ -1,28 +1,20 @@
 #include "apps/culling_benchmark/run.h"
 
 #include <cstdio>
-#include <fstream>
 #include <sstream>
 
 #include "apps/common/child.h"
 #include "apps/common/progress_bar.h"
+#include "apps/common/record.h"
 #include "apps/culling_benchmark/catalogue.h"
 #include "apps/culling_benchmark/measure.h"
 #include "apps/culling_benchmark/rules.h"
-#include "files/whole_file.h"
 
 namespace manzana::culling_benchmark {
 namespace {
 
 constexpr const char* kRow = "row ";
 constexpr const char* kProgress = "at ";  // fraction, seconds left, the stage
-
-std::vector<RunRow> rows_in(const std::filesystem::path& folder) {
-  std::ifstream in(folder / "runs.csv", std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return read_rows(text.str());
-}
 
 /// Every row that the run must have in the end, as far as it is known before.
 std::vector<RunRow> expected_rows(const Options& options) {
@@ -35,33 +27,28 @@ std::vector<RunRow> expected_rows(const Options& options) {
   return rows;
 }
 
-/// Those of another commit, machine, seed and so on are of no use any more.
-std::vector<RunRow> usable(const std::vector<RunRow>& rows, const Options& options) {
-  std::vector<RunRow> kept;
-  for (const RunRow& row : rows) {
-    const RunRow like = expected_row(options, row.case_name, row.peer, static_cast<int>(row.process));
-    if (same_measurement(row, like)) kept.push_back(row);
-  }
-  return kept;
+std::filesystem::path runs_file(const Options& options) { return options.out / "runs.csv"; }
+
+/// Rows of another commit, machine, seed and so on are of no use any more.
+bool usable(const RunRow& row, const Options& options) {
+  return same_measurement(row, expected_row(options, row.case_name, row.peer, static_cast<int>(row.process)));
 }
 
 class Parent {
  public:
   Parent(const Options& options, const std::vector<std::string>& arguments)
-      : options_(options), arguments_(arguments), wanted_(expected_rows(options)), bar_(stderr) {
-    const auto before = rows_in(options.out);
-    rows_ = usable(before, options);
-    if (rows_.size() < before.size())
-      std::fprintf(stderr, "%s: %zu rows of another commit, machine, seed or mode are measured anew\n",
-                   (options.out / "runs.csv").c_str(), before.size() - rows_.size());
-  }
+      : options_(options),
+        arguments_(arguments),
+        wanted_(expected_rows(options)),
+        record_(runs_file(options), run_columns(), [&](const RunRow& row) { return usable(row, options); }),
+        bar_(stderr) {}
 
   std::vector<RunRow> run() {
     for (int process = 1; process <= rules_of(options_).processes; ++process)
       if (lacks(process)) start(process);
     std::vector<RunRow> result;
     for (const RunRow& wanted : wanted_)
-      for (const RunRow& row : rows_)
+      for (const RunRow& row : record_.rows())
         if (same_measurement(row, wanted)) result.push_back(row);
     return result;
   }
@@ -69,7 +56,7 @@ class Parent {
  private:
   bool lacks(int process) const {
     for (const RunRow& wanted : wanted_)
-      if (wanted.process == static_cast<std::uint64_t>(process) && !is_finished(rows_, wanted)) return true;
+      if (wanted.process == static_cast<std::uint64_t>(process) && !is_finished(record_.rows(), wanted)) return true;
     return false;
   }
 
@@ -77,7 +64,7 @@ class Parent {
     const Besides more = besides(options_);
     seconds_after_ = more.paper + more.sharing + more.cars + more.extremes;
     for (int later = process + 1; later <= rules_of(options_).processes; ++later)
-      seconds_after_ += expected_seconds(options_, later, rows_);
+      seconds_after_ += expected_seconds(options_, later, record_.rows());
     std::vector<std::string> command{"/proc/self/exe"};
     command.insert(command.end(), arguments_.begin(), arguments_.end());
     command.insert(command.end(), {"--process", std::to_string(process)});
@@ -90,7 +77,7 @@ class Parent {
 
   void hear(const std::string& line) {
     if (line.starts_with(kRow)) {
-      if (auto row = apps::from_line(std::string_view(line).substr(4), run_columns())) keep(*std::move(row));
+      if (auto row = apps::from_line(std::string_view(line).substr(4), run_columns())) record_.keep(*std::move(row));
     } else if (line.starts_with(kProgress)) {
       std::istringstream in(line.substr(3));
       double fraction = 0, seconds_left = 0;
@@ -101,14 +88,10 @@ class Parent {
     }
   }
 
-  void keep(RunRow row) {
-    rows_.push_back(std::move(row));
-    files::write_whole(options_.out / "runs.csv", to_csv(rows_));
-  }
-
   const Options& options_;
   const std::vector<std::string>& arguments_;
-  std::vector<RunRow> wanted_, rows_;
+  std::vector<RunRow> wanted_;
+  apps::Record<RunRow> record_;
   double seconds_after_ = 0;  // of what follows this process
   apps::ProgressBar bar_;
 };
@@ -129,7 +112,9 @@ void run_process(const Options& options) {
                     std::printf("%s%g %g %s\n", kProgress, fraction, seconds_left, stage.c_str());
                     std::fflush(stdout);
                   }};
-  measure(options, usable(rows_in(options.out), options), tell);
+  auto finished = apps::rows_in(runs_file(options), run_columns());
+  std::erase_if(finished, [&](const RunRow& row) { return !usable(row, options); });
+  measure(options, finished, tell);
 }
 
 }  // namespace manzana::culling_benchmark

@@ -1,7 +1,5 @@
 #include "apps/culling_benchmark/run_row.h"
 
-#include <array>
-#include <sstream>
 #include <tuple>
 
 namespace manzana::culling_benchmark {
@@ -10,11 +8,7 @@ namespace {
 using C = apps::Column<RunRow>;
 using R = RunRow;
 
-const std::array kColumns{
-    C{"commit", "", "what the program was built from; -dirty and a hash: with changes", &R::commit},
-    C{"date", "UTC", "when the row was finished", &R::date},
-    C{"machine", "", "processor and number of cores", &R::machine},
-    C{"mode", "", "quick or full", &R::mode},
+const std::vector<C> kOwnColumns{
     C{"scene", "", "generated, or size and time of change of the city file", &R::scene},
     C{"case", "", "city, far plane, caches", &R::case_name},
     C{"peer", "", "the structure", &R::peer},
@@ -38,36 +32,22 @@ const std::array kColumns{
     C{"missed", "objects", "of these, not in the answers; must be 0", &R::missed},
     C{"triangles", "", "of accepted objects", &R::triangles},
     C{"bytes", "", "of the structure with all bounds that it reads", &R::bytes},
-    C{"dirty", "", "1: the machine was disturbed in every attempt", &R::dirty},
-    C{"attempts", "", "how often it was measured; the last counts", &R::attempts},
-    C{"calibration_ms", "ms", "a loop of fixed work, the slower of before and after", &R::calibration_ms},
-    C{"others_cores", "cores", "taken by other programs meanwhile", &R::others_cores},
-    C{"steal", "", "share of processor time taken by other guests of the host", &R::steal},
 };
 
 }  // namespace
 
-std::span<const apps::Column<RunRow>> run_columns() { return kColumns; }
+std::span<const C> run_columns() {
+  static const auto columns = apps::joined<R>({apps::run_columns<R>(), kOwnColumns, apps::calm_columns<R>()});
+  return columns;
+}
 
 bool same_measurement(const RunRow& a, const RunRow& b) {
-  const auto key = [](const RunRow& r) {
-    return std::tie(r.commit, r.machine, r.mode, r.scene, r.case_name, r.peer, r.seed, r.process, r.frames);
-  };
-  return key(a) == key(b);
+  const auto key = [](const RunRow& r) { return std::tie(r.scene, r.case_name, r.peer, r.seed, r.process, r.frames); };
+  return same_run(a, b) && key(a) == key(b);
 }
 
-std::string to_csv(std::span<const RunRow> rows) {
-  std::string csv = apps::head_line(run_columns());
-  for (const RunRow& row : rows) csv += apps::to_line(row, run_columns());
-  return csv;
-}
+std::string to_csv(std::span<const RunRow> rows) { return apps::to_csv<RunRow>(rows, run_columns()); }
 
-std::vector<RunRow> read_rows(std::string_view csv) {
-  std::vector<RunRow> rows;
-  std::istringstream lines{std::string(csv)};
-  for (std::string line; std::getline(lines, line);)
-    if (auto row = apps::from_line(line, run_columns())) rows.push_back(*std::move(row));
-  return rows;
-}
+std::vector<RunRow> read_rows(std::string_view csv) { return apps::rows_of(csv, run_columns()); }
 
 }  // namespace manzana::culling_benchmark

@@ -140,11 +140,7 @@ const SummaryRow* find_row(std::span<const SummaryRow> table, std::string_view c
 
 std::span<const apps::Column<SummaryRow>> summary_columns() { return kColumns; }
 
-std::string to_csv(std::span<const SummaryRow> rows) {
-  std::string csv = apps::head_line(summary_columns());
-  for (const SummaryRow& row : rows) csv += apps::to_line(row, summary_columns());
-  return csv;
-}
+std::string to_csv(std::span<const SummaryRow> rows) { return apps::to_csv<SummaryRow>(rows, kColumns); }
 
 std::vector<std::string> faults(std::span<const RunRow> rows) {
   std::vector<std::string> lines;

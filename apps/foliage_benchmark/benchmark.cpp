@@ -1,12 +1,19 @@
 #include "apps/foliage_benchmark/benchmark.h"
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <mutex>
+#include <numeric>
 
+#include "apps/common/child.h"
 #include "apps/common/machine.h"
 #include "apps/common/markdown.h"
-#include "apps/common/png.h"
 #include "apps/common/progress_bar.h"
+#include "apps/foliage_benchmark/contact_sheet.h"
 #include "apps/foliage_benchmark/errors_report.h"
 #include "apps/foliage_benchmark/popping.h"
 #include "apps/foliage_benchmark/times.h"
@@ -18,32 +25,56 @@
 namespace manzana::foliage_benchmark {
 namespace {
 
-std::vector<foliage::PreparedPlant> plants_of(const Options& options) {
-  std::vector<foliage::PreparedPlant> plants;
-  apps::ProgressBar bar(stderr);
-  const auto tell = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
-  const auto preparing = [&](const std::string& name) {
-    foliage::PrepareOptions how;
-    how.progress = [&bar, name](double done) { bar.show("preparing " + name, done); };
-    return how;
-  };
-  for (const std::string& text : options.plants) {
+std::string mode_of(const Options& options) { return options.quick ? "quick" : "full"; }
+
+std::vector<std::string> plant_names(const Options& options) {
+  if (!options.plants.empty()) return options.plants;
+  return {foliage::kSpeciesNames.begin(), foliage::kSpeciesNames.begin() + (options.quick ? 2 : 11)};
+}
+
+foliage::PreparedPlant plant_of(const Options& options, const std::string& text, const foliage::PrepareOptions& how,
+                                const foliage::TellLine& tell) {
+  foliage::PreparedPlant plant;
+  if (options.plants.empty()) {
+    plant = prepare(grow_plant(foliage::builtin_species(text), 1), how);
+    plant.name = text;
+  } else {
     const foliage::PlantSource source = foliage::parse_plant_source(text);
-    plants.push_back(load_or_prepare(source, foliage::default_cache_folder(), preparing(text), tell));
-    plants.back().name = source.file.stem().string();
+    plant = load_or_prepare(source, foliage::default_cache_folder(), how, tell);
+    plant.name = source.file.stem().string();
   }
-  if (!options.plants.empty()) return plants;
-  for (const std::string_view name : foliage::kSpeciesNames) {
-    if (options.quick && plants.size() == 2) break;
-    plants.push_back(prepare(grow_plant(foliage::builtin_species(name), 1), preparing(std::string(name))));
-    plants.back().name = name;
-  }
+  return plant;
+}
+
+/// Side by side.
+std::vector<foliage::PreparedPlant> plants_of(const Options& options) {
+  const auto names = plant_names(options);
+  std::vector<foliage::PreparedPlant> plants(names.size());
+  std::vector<double> done(names.size());
+  apps::ProgressBar bar(stderr);
+  std::mutex mutex;
+  const auto tell = [&](const std::string& line) {
+    const std::scoped_lock lock(mutex);
+    std::fprintf(stderr, "%s\n", line.c_str());
+  };
+  tbb::parallel_for(std::size_t{0}, names.size(), [&](std::size_t i) {
+    foliage::PrepareOptions how;
+    if (options.quick) how.visibility_side = 5;
+    how.progress = [&, i](double fraction) {
+      const std::scoped_lock lock(mutex);
+      done[i] = fraction;
+      bar.show("preparing", std::accumulate(done.begin(), done.end(), 0.0) / static_cast<double>(done.size()),
+               names[i]);
+    };
+    plants[i] = plant_of(options, names[i], how, tell);
+  });
   return plants;
 }
 
 ErrorPlan plan_of(const Options& options) {
   ErrorPlan plan;
   plan.error_px = options.error_px;
+  plan.mode = mode_of(options);
   if (options.quick) {
     plan.heights = {128, 32, 12};
     plan.views = 2;
@@ -53,23 +84,31 @@ ErrorPlan plan_of(const Options& options) {
   return plan;
 }
 
-void write_picture(const std::filesystem::path& file, const Picture& picture) {
-  apps::write_png(file, picture.width, picture.height, to_rgb8(picture));
-}
-
-constexpr std::array kSheetHeights{256.0, 128.0, 64.0, 32.0, 16.0};
-
 void write_sheets(const Options& options, std::span<const foliage::PreparedPlant> plants) {
+  constexpr std::array kHeights{240.0, 120.0, 60.0, 30.0, 15.0};
   Stage stage(plants, sites_of(plants));
   for (std::uint32_t i = 0; i < plants.size(); ++i)
-    write_picture(options.out / ("sheet_" + plants[i].name + ".png"),
-                  contact_sheet(stage, i, extent_of(plants[i]), foliage::Law::ours, options.error_px, kSheetHeights));
+    write_sheet(options.out / ("sheet_" + plants[i].name + ".png"),
+                contact_sheet(stage, i, kHeights, options.error_px));
+}
+
+/// Rows of this run, of plants as they are now.
+apps::Record<ErrorRow> error_record(const Options& options, std::span<const foliage::PreparedPlant> plants) {
+  const apps::RunFacts facts = apps::run_facts(mode_of(options));
+  return {options.out / "runs.csv", error_columns(), [&, facts](const ErrorRow& row) {
+            const auto same_plant = [&](const foliage::PreparedPlant& p) {
+              return p.name == row.plant && (row.law != "full" || p.leaves.size() == row.leaves);
+            };
+            return same_run(row, facts) && std::any_of(plants.begin(), plants.end(), same_plant);
+          }};
 }
 
 std::vector<Verdict> write_errors(const Options& options, std::span<const foliage::PreparedPlant> plants,
                                   const ErrorPlan& plan) {
   apps::ProgressBar bar(stderr);
-  const auto rows = measure_errors(plants, plan, [&](double done) { bar.show("image errors", done); });
+  auto record = error_record(options, plants);
+  const auto rows = measure_errors(
+      plants, plan, [&](double done) { bar.show("image errors", done); }, &record);
   auto verdicts = judge(rows);
   files::write_whole(options.out / "runs.csv", apps::to_csv<ErrorRow>(rows, error_columns()));
   files::write_whole(options.out / "summary.csv", apps::to_csv<Verdict>(verdicts, verdict_columns()));
@@ -79,27 +118,33 @@ std::vector<Verdict> write_errors(const Options& options, std::span<const foliag
 std::string write_popping(const Options& options, std::span<const foliage::PreparedPlant> plants) {
   PopPlan plan;
   plan.error_px = options.error_px;
-  if (options.quick) plan = {{64}, 1.4, options.error_px, nullptr};
-  apps::ProgressBar bar(stderr);
-  std::vector<PopRow> rows;
-  for (const Popped& popped : measure_popping(plants, plan, [&](double done) { bar.show("popping", done); })) {
-    const PopRow& row = rows.emplace_back(popped.row);
-    const std::string name =
-        "popping_" + row.plant + "_" + row.moving + "_" + std::to_string(std::lround(row.height_px)) + ".png";
-    write_picture(options.out / name, popped.sheet);
+  plan.mode = mode_of(options);
+  if (options.quick) {
+    plan.heights = {64};
+    plan.range = 1.4;
   }
-  files::write_whole(options.out / "popping.csv", apps::to_csv<PopRow>(rows, pop_columns()));
-  return popping_md(rows);
+  const apps::RunFacts facts = apps::run_facts(plan.mode);
+  apps::Record<PopRow> record(options.out / "popping.csv", pop_columns(),
+                              [&](const PopRow& row) { return same_run(row, facts); });
+  apps::ProgressBar bar(stderr);
+  const auto progress = [&](double done) { bar.show("popping", done); };
+  const auto show = [&](const Popped& popped) {
+    const PopRow& row = popped.row;
+    write_sheet(options.out / ("popping_" + row.plant + "_" + row.moving + "_" +
+                               std::to_string(std::lround(row.height_px)) + ".png"),
+                popped.sheet);
+  };
+  return popping_md(measure_popping(plants, plan, progress, show, &record));
 }
 
 std::string columns_md() {
   return "# Columns\n\n## runs.csv: one picture each\n" + apps::explain(error_columns()) +
          "\n## summary.csv: means over the views\n" + apps::explain(verdict_columns()) +
          "\n## popping.csv: faded against unfaded\n" + apps::explain(pop_columns()) +
-         "\n## times.csv: two ways timed in turn\n" + apps::explain(time_columns());
+         "\n## times.csv: two ways timed in turn\n" + explain_times();
 }
 
-std::string head_md(const Options& options, std::span<const foliage::PreparedPlant> plants) {
+std::string head_md(const Options& options, std::span<const foliage::PreparedPlant> plants, std::uint64_t dirty) {
   const apps::Machine& machine = apps::this_machine();
   std::string text =
       "# Plants: what they cost and how true they look\n\nmanzana-foliage-benchmark " MANZANA_VERSION ", commit " +
@@ -107,6 +152,8 @@ std::string head_md(const Options& options, std::span<const foliage::PreparedPla
   if (options.quick) text += "A quick run: few plants, views, distances and repetitions.\n";
   if (gl::software_renderer())
     text += "GL runs in software here: its times mean nothing by themselves, only their ratios within one row do.\n";
+  if (dirty > 0)
+    text += std::to_string(dirty) + " timed rows are dirty: other programs had the machine meanwhile (times.csv).\n";
   std::vector<std::vector<std::string>> cells{
       {"plant", "height m", "branch quads", "leaf quads", "lines", "points", "cells", "leaf area m2"}};
   for (const foliage::PreparedPlant& p : plants) {
@@ -125,26 +172,34 @@ std::string plots_md(const std::vector<std::string>& drawn) {
   return text;
 }
 
-}  // namespace
-
-int run_benchmark(const Options& options) {
-  files::make_folder(options.out);
-  const gl::HeadlessContext context;
-  const auto plants = plants_of(options);
+void measure_all(const Options& options, std::span<const foliage::PreparedPlant> plants) {
   const ErrorPlan plan = plan_of(options);
   const auto verdicts = write_errors(options, plants, plan);
   const std::string popping = write_popping(options, plants);
-  write_sheets(options, plants);
-  const Times times = options.errors_only ? Times{} : measure_times(options.quick, plants);
-  if (!times.rows.empty())
-    files::write_whole(options.out / "times.csv", apps::to_csv<TimeRow>(times.rows, time_columns()));
+  const Times times = options.errors_only ? Times{} : measure_times({options.quick, options.out}, plants);
   files::write_whole(options.out / "columns.md", columns_md());
   auto plots = error_plots(verdicts);
   plots.insert(plots.end(), times.plots.begin(), times.plots.end());
   const auto drawn = apps::draw_all(options.out, plots);
-  files::write_whole(options.out / "report.md",
-                     head_md(options, plants) + errors_md(verdicts, plan) + popping + times.text + plots_md(drawn));
-  std::printf("written to %s; read report.md first\n", options.out.c_str());
+  files::write_whole(options.out / "report.md", head_md(options, plants, times.dirty) + errors_md(verdicts, plan) +
+                                                    popping + times.text + plots_md(drawn));
+}
+
+}  // namespace
+
+int run_benchmark(const Options& options) {
+  files::make_folder(options.out);
+  apps::watch_for_interrupts();
+  const gl::HeadlessContext context;
+  try {
+    const auto plants = plants_of(options);
+    write_sheets(options, plants);
+    if (!options.sheets_only) measure_all(options, plants);
+  } catch (const apps::Interrupted&) {
+    std::fprintf(stderr, "interrupted: the same command goes on from what is finished in %s\n", options.out.c_str());
+    return 1;
+  }
+  std::printf("written to %s%s\n", options.out.c_str(), options.sheets_only ? "" : "; read report.md first");
   return 0;
 }
 

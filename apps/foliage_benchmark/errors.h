@@ -6,6 +6,8 @@
 #include <functional>
 #include <string>
 
+#include "apps/common/record.h"
+#include "apps/common/run_facts.h"
 #include "apps/foliage_benchmark/image_error.h"
 #include "apps/foliage_benchmark/stage.h"
 
@@ -16,10 +18,11 @@ struct ErrorPlan {
   int views = 8;                                               ///< evenly round it, at elevations in turn
   std::vector<foliage::Law> laws{foliage::Law::ours, foliage::Law::prune};
   double error_px = 1;
+  std::string mode = "full";  ///< of the run
 };
 
 /// One picture against the reference: all detail, finely sampled.
-struct ErrorRow {
+struct ErrorRow : apps::RunFacts {
   std::string plant;
   std::string law;       ///< full, ours, gumbau
   std::string sampling;  ///< fine, product; moved: fine, by half a pixel
@@ -28,9 +31,11 @@ struct ErrorRow {
   double cover = 1, iou = 1, silhouette = 0, colour = 0, ssim = 1, gmsd = 0, psnr = 99;
 };
 
-/// `progress` is called with [0, 1].
+/// `progress` is called with [0, 1]. Pictures whose rows the record holds are not drawn again; those that are new are
+/// kept there.
 std::vector<ErrorRow> measure_errors(std::span<const foliage::PreparedPlant> plants, const ErrorPlan& plan,
-                                     const std::function<void(double)>& progress);
+                                     const std::function<void(double)>& progress,
+                                     apps::Record<ErrorRow>* record = nullptr);
 
 /// The means over the views of one plant, height, law and sampling, and which of them are over the floors.
 struct Verdict : ErrorRow {
@@ -41,11 +46,6 @@ inline constexpr double kCoverWithin = 0.02, kColourWithin = 0.005;
 
 /// A verdict for each law and sampling, floors among them, in the order of the rows.
 std::vector<Verdict> judge(std::span<const ErrorRow> rows);
-
-/// A sheet, at the distances of these heights, side by side: above what all detail looks like, finely sampled; then all
-/// detail, and below the law, as the product samples them.
-Picture contact_sheet(Stage& stage, std::uint32_t plant, const Extent& extent, foliage::Law law, double error_px,
-                      std::span<const double> heights);
 
 /// A site for each plant, at the origin, of natural size.
 std::vector<foliage::TreeSite> sites_of(std::span<const foliage::PreparedPlant> plants);

@@ -110,7 +110,7 @@ apps::Script plot_of(std::span<const Verdict> verdicts, const std::string& plant
 
 std::span<const apps::Column<ErrorRow>> error_columns() {
   static const auto columns =
-      with(common_columns<ErrorRow>(),
+      with(apps::joined<ErrorRow>({apps::run_columns<ErrorRow>(), common_columns<ErrorRow>()}),
            {{"azimuth_deg", "degrees", "of the camera", &ErrorRow::azimuth_deg},
             {"elevation_deg", "degrees", "of the camera over the plant's middle", &ErrorRow::elevation_deg}});
   return columns;

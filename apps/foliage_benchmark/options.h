@@ -17,6 +17,7 @@ struct Options {
   std::optional<int> views;
   double error_px = 1;
   bool errors_only = false;  ///< the first section alone
+  bool sheets_only = false;  ///< contact sheets alone
 };
 
 using Parsed = apps::Parsed<Options>;

@@ -4,15 +4,19 @@
 #include <array>
 #include <cmath>
 
+#include "apps/common/child.h"
 #include "apps/common/markdown.h"
 #include "apps/foliage_benchmark/errors.h"
 #include "apps/foliage_benchmark/fixed_detail.h"
+#include "apps/foliage_benchmark/sheet.h"
 
 namespace manzana::foliage_benchmark {
 namespace {
 
 using foliage::Law;
 
+constexpr const char* kError = "error";
+constexpr const char* kCamera = "camera";
 constexpr double kStep = 1.01, kAzimuth = 0.4, kElevation = 0.15;
 
 Step less(const Step& a, const Step& b) {
@@ -25,15 +29,10 @@ Step worse(const Step& a, const Step& b) {
 
 /// Before, after, and their difference on grey.
 Picture side_by_side(const Picture& before, const Picture& after) {
-  Picture sheet = make_picture(3 * before.width, before.height);
-  for (int y = 0; y < before.height; ++y) {
-    for (int x = 0; x < before.width; ++x) {
-      sheet.at(x, y) = before.at(x, y);
-      sheet.at(x + before.width, y) = after.at(x, y);
-      sheet.at(x + 2 * before.width, y) = Vec4(0.5F * (seen_at(after.at(x, y)) - seen_at(before.at(x, y))) + 0.3F, 1);
-    }
-  }
-  return sheet;
+  Picture difference = make_picture(before.width, before.height);
+  for (std::size_t i = 0; i < before.texels.size(); ++i)
+    difference.texels[i] = Vec4(0.5F * (seen_at(after.texels[i]) - seen_at(before.texels[i])) + 0.3F, 1);
+  return beside(std::array{before, after, difference});
 }
 
 /// Frames of one way, one after the other: what changed most.
@@ -55,27 +54,34 @@ class Film {
   Step worst_;
 };
 
-Picture below(const Picture& upper, const Picture& lower) {
-  Picture both = make_picture(upper.width, upper.height + lower.height);
-  std::copy(upper.texels.begin(), upper.texels.end(),
-            std::copy(lower.texels.begin(), lower.texels.end(), both.texels.begin()));
-  return both;
-}
-
 class Popping {
  public:
   Popping(Stage& stage, const PopPlan& plan, std::uint32_t plant)
       : stage_(stage), plan_(plan), plant_(plant), extent_(extent_of(stage.plants()[plant])) {}
 
+  PopRow key(const char* moving, double height_px) const {
+    PopRow row;
+    row.plant = stage_.plants()[plant_].name;
+    row.moving = moving;
+    row.height_px = height_px;
+    return row;
+  }
+
+  Popped measure(const PopRow& key) {
+    apps::throw_if_interrupted();
+    return key.moving == kError ? error_steps(key.height_px) : camera_comes_nearer(key.height_px);
+  }
+
+ private:
   Popped error_steps(double height_px) {
-    begin("error", height_px);
+    begin(kError, height_px);
     const Shot shot = shot_at(height_px);
     for (double f = 1 / plan_.range; f < plan_.range; f *= kStep) add_frame(shot, plan_.error_px * f, {});
     return finished();
   }
 
   Popped camera_comes_nearer(double height_px) {
-    begin("camera", height_px);
+    begin(kCamera, height_px);
     const Shot nearest = shot_at(height_px * plan_.range);
     Picture before;
     for (double f = plan_.range; f > 1 / plan_.range; f /= kStep) {
@@ -88,7 +94,6 @@ class Popping {
     return finished();
   }
 
- private:
   Shot shot_at(double height_px) const { return shot_of(extent_, kAzimuth, kElevation, height_px); }
 
   /// In the same picture, so that frames can be compared.
@@ -100,7 +105,7 @@ class Popping {
   }
 
   void begin(const char* moving, double height_px) {
-    row_ = {.plant = stage_.plants()[plant_].name, .moving = moving, .height_px = height_px};
+    row_ = key(moving, height_px);
     faded_ = unfaded_ = {};
   }
 
@@ -137,7 +142,7 @@ class Popping {
     row_.ratio_most = ratio(a.most, b.most);
     row_.ratio_strong = ratio(a.strong, b.strong);
     row_.ratio_mean = ratio(a.mean, b.mean);
-    return {row_, below(faded_.sheet(), unfaded_.sheet())};
+    return {row_, below(std::array{faded_.sheet(), unfaded_.sheet()})};
   }
 
   Stage& stage_;
@@ -148,8 +153,12 @@ class Popping {
   Film faded_, unfaded_;
 };
 
+bool same_key(const PopRow& a, const PopRow& b) {
+  return a.plant == b.plant && a.moving == b.moving && a.height_px == b.height_px;
+}
+
 using C = apps::Column<PopRow>;
-const std::array kColumns{
+const std::vector<C> kOwnColumns{
     C{"plant", "", "", &PopRow::plant},
     C{"moving", "", "error: the camera is frozen; camera: it comes nearer", &PopRow::moving},
     C{"height_px", "pixels", "of the plant, in the middle of an approach", &PopRow::height_px},
@@ -166,24 +175,37 @@ const std::array kColumns{
 
 }  // namespace
 
-std::vector<Popped> measure_popping(std::span<const foliage::PreparedPlant> plants, const PopPlan& plan,
-                                    const std::function<void(double)>& progress) {
+std::vector<PopRow> measure_popping(std::span<const foliage::PreparedPlant> plants, const PopPlan& plan,
+                                    const std::function<void(double)>& progress,
+                                    const std::function<void(const Popped&)>& show, apps::Record<PopRow>* record) {
   Stage stage(plants, sites_of(plants));
-  std::vector<Popped> rows;
+  std::vector<PopRow> rows;
   const auto all = static_cast<double>(2 * plants.size() * plan.heights.size());
+  const auto add = [&](Popping& popping, const PopRow& key) {
+    progress(static_cast<double>(rows.size()) / all);
+    const PopRow* known = record == nullptr ? nullptr : record->find([&](const PopRow& r) { return same_key(r, key); });
+    if (known != nullptr) {
+      rows.push_back(*known);
+      return;
+    }
+    Popped popped = popping.measure(key);
+    static_cast<apps::RunFacts&>(popped.row) = apps::run_facts(plan.mode);
+    if (show) show(popped);
+    if (record != nullptr) record->keep(popped.row);
+    rows.push_back(popped.row);
+  };
   for (std::uint32_t plant = 0; plant < plants.size(); ++plant) {
     Popping popping(stage, plan, plant);
-    for (const double height_px : plan.heights) {
-      rows.push_back(popping.error_steps(height_px));
-      progress(static_cast<double>(rows.size()) / all);
-      rows.push_back(popping.camera_comes_nearer(height_px));
-      progress(static_cast<double>(rows.size()) / all);
-    }
+    for (const double height_px : plan.heights)
+      for (const char* moving : {kError, kCamera}) add(popping, popping.key(moving, height_px));
   }
   return rows;
 }
 
-std::span<const apps::Column<PopRow>> pop_columns() { return kColumns; }
+std::span<const C> pop_columns() {
+  static const auto columns = apps::joined<PopRow>({apps::run_columns<PopRow>(), kOwnColumns});
+  return columns;
+}
 
 std::string popping_md(std::span<const PopRow> rows) {
   using apps::digits3;

@@ -8,13 +8,14 @@ namespace manzana::foliage_benchmark {
 
 class Portrait {
  public:
-  /// Its first plant, from one side and a little above.
-  Portrait(std::span<const foliage::PreparedPlant> plant, double height_px);
+  /// From one side and a little above. The plant must outlive it.
+  Portrait(const foliage::PreparedPlant& plant, double height_px);
 
   /// Counts, and errors against the reference, both finely sampled.
   void look(const Detail& way, const Detail& reference, TimeRow& row);
   /// Extraction and drawing, as the product samples.
   void time(const Detail& way, const Detail& reference, double seconds, TimeRow& row);
+  Picture draw(const Detail& way, Sampling sampling);
 
   void use(const Detail& detail);
   Stage& stage() { return stage_; }
@@ -24,6 +25,13 @@ class Portrait {
  private:
   Stage stage_;
   Shot shot_;
+  /// The last reference: one serves many ways.
+  struct Expected {
+    Detail detail;
+    Picture picture;
+    std::uint64_t primitives = 0;
+  };
+  std::optional<Expected> expected_;
 };
 
 std::uint64_t primitives_of(const foliage::Shown& shown);

@@ -24,8 +24,13 @@ std::vector<std::string> cells_of(const TimeRow& row) {
           grouped(static_cast<double>(row.trees)),
           count_of(row.primitives),
           count_of(row.reference_primitives),
+          count_of(row.bark),
+          count_of(row.leaves),
+          count_of(row.lines),
+          count_of(row.points),
           value_of(row.covered_px),
           value_of(row.ms),
+          value_of(row.ms_99),
           value_of(row.reference_ms),
           ratio_of(row),
           value_of(row.cover),
@@ -48,8 +53,9 @@ void leave_out_empty(Cells& cells) {
 }  // namespace
 
 std::string rows_md(std::span<const TimeRow> rows, std::string_view table) {
-  Cells cells{{"plant", "way", "reference", "trees", "primitives", "reference's", "covered px", "ms", "reference ms",
-               "times as fast", "cover", "SSIM", "GMSD", "source"}};
+  Cells cells{{"plant", "way", "reference", "trees", "primitives", "reference's", "bark", "leaves", "lines", "points",
+               "covered px", "ms", "ms, 99th percentile", "reference ms", "times as fast", "cover", "SSIM", "GMSD",
+               "source"}};
   for (const TimeRow& row : rows)
     if (row.table == table) cells.push_back(cells_of(row));
   if (cells.size() == 1) return {};

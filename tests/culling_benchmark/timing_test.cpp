@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "apps/common/statistics.h"
-#include "apps/culling_benchmark/conditions.h"
 #include "apps/culling_benchmark/truth.h"
 #include "tests/support/random.h"
 #include "tests/support/temporary_folder.h"
@@ -184,18 +183,6 @@ TEST_CASE("truth: a kept one is read again and is the same, a part of one is fou
   CHECK(files_in(folder.path() / "truth") == 2);
   std::filesystem::resize_file(file, std::filesystem::file_size(file) - 1);
   CHECK(kept_truth(work, folder.path() / "truth").bits == found.bits);
-}
-
-TEST_CASE("conditions: a slow calibration, a stolen or a taken machine is disturbed") {
-  CHECK_FALSE(disturbed({5, 0, 2, 0}, 5, 1));
-  CHECK_FALSE(disturbed({5.4, 0, 2, 0}, 5, 1));
-  CHECK(disturbed({5.6, 0, 2, 0}, 5, 1));
-  CHECK(disturbed({5, 0, 2, 0.03}, 5, 1));
-  CHECK(disturbed({5, 2, 0.5, 0}, 5, 1));
-  const Watch watch;
-  const Conditions now = watch.stop();
-  CHECK(now.calibration_ms > 0.1);
-  CHECK(now.others_cores >= 0);
 }
 
 TEST_CASE("pairs: in company the others fly too, and land when the round is over") {

@@ -1,6 +1,11 @@
 // The program from outside: exit codes, messages, files.
-#include "tests/support/program.h"
+#include <signal.h>
+
+#include <chrono>
+#include <thread>
+
 #include "apps/common/csv.h"
+#include "tests/support/program.h"
 
 using manzana::apps::split_cells;
 
@@ -15,6 +20,13 @@ std::vector<std::vector<std::string>> table_of(const std::filesystem::path& file
   std::istringstream lines(read_all(file));
   for (std::string line; std::getline(lines, line);) table.push_back(split_cells(line));
   return table;
+}
+
+std::vector<std::string> small_run(const std::filesystem::path& folder, const std::filesystem::path& out) {
+  std::ofstream(folder / "bush.json") << R"({"name":"bush","levels":2,"scale":2,"leaves":8,
+    "stems":[{"branches":0,"curve_res":3},{"branches":6,"down_angle":60,"length":0.5,"curve_res":2}]})";
+  return {"--out", out,       "--quick", "--errors-only", "--plants", folder / "bush.json", "--heights",
+          "24",    "--views", "1"};
 }
 
 }  // namespace
@@ -40,13 +52,11 @@ TEST_CASE("foliage benchmark: a plant that is none is 1 and one line that names 
   CHECK(run_benchmark(folder.path(), {"--out", folder.path() / "taken", "--quick"}).code == 1);
 }
 
-TEST_CASE("foliage benchmark: a small run writes whole tables") {
+TEST_CASE("foliage benchmark: a small run writes whole tables and the same run again measures nothing") {
   const TemporaryFolder folder;
   const auto out = folder.path() / "out";
-  std::ofstream(folder.path() / "bush.json") << R"({"name":"bush","levels":2,"scale":2,"leaves":8,
-    "stems":[{"branches":0,"curve_res":3},{"branches":6,"down_angle":60,"length":0.5,"curve_res":2}]})";
-  const Ended ended = run_benchmark(folder.path(), {"--out", out, "--quick", "--errors-only", "--plants",
-                                                    folder.path() / "bush.json", "--heights", "24", "--views", "1"});
+  const auto small = small_run(folder.path(), out);
+  const Ended ended = run_benchmark(folder.path(), small);
   CAPTURE(ended.err);
   REQUIRE(ended.code == 0);
   const auto runs = table_of(out / "runs.csv");
@@ -58,4 +68,39 @@ TEST_CASE("foliage benchmark: a small run writes whole tables") {
   CHECK(report.find("gumbau") != std::string::npos);
   CHECK(std::filesystem::exists(out / "columns.md"));
   CHECK(std::filesystem::exists(out / "sheet_bush.png"));
+  CHECK(std::filesystem::exists(out / "popping_bush_error_64.png"));
+  const std::string before = read_all(out / "runs.csv") + read_all(out / "popping.csv");
+  REQUIRE(run_benchmark(folder.path(), small).code == 0);
+  CHECK(read_all(out / "runs.csv") + read_all(out / "popping.csv") == before);  // dates too
+}
+
+TEST_CASE("foliage benchmark: an interrupted run keeps what it has and goes on from there") {
+  const TemporaryFolder folder;
+  const auto out = folder.path() / "out";
+  auto run = small_run(folder.path(), out);
+  run.back() = "64";  // views
+  const auto rows = [&] { return std::filesystem::exists(out / "runs.csv") ? table_of(out / "runs.csv").size() : 0; };
+  const pid_t child = start_program(MANZANA_FOLIAGE_BENCHMARK, folder.path(), run);
+  while (rows() < 13 && kill(child, 0) == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  kill(child, SIGINT);
+  const Ended ended = wait_for(child, folder.path());
+  CHECK(ended.code == 1);
+  CHECK(ended.err.find("interrupted: the same command goes on") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(out / "summary.csv"));
+  const auto before = table_of(out / "runs.csv");
+  REQUIRE(before.size() < 1 + 64 * 6);
+  REQUIRE(run_benchmark(folder.path(), run).code == 0);
+  const auto after = table_of(out / "runs.csv");
+  REQUIRE(after.size() == 1 + 64 * 6);
+  for (std::size_t i = 0; i + 6 < before.size(); ++i) CHECK(after[i] == before[i]);  // the last picture may be half
+}
+
+TEST_CASE("foliage benchmark: sheets alone") {
+  const TemporaryFolder folder;
+  const auto out = folder.path() / "out";
+  auto run = small_run(folder.path(), out);
+  run.emplace_back("--sheets-only");
+  REQUIRE(run_benchmark(folder.path(), run).code == 0);
+  CHECK(std::filesystem::exists(out / "sheet_bush.png"));
+  CHECK_FALSE(std::filesystem::exists(out / "report.md"));
 }

@@ -4,7 +4,13 @@
 ///   ... measure ...
 ///   const Conditions during = watch.stop();
 ///   if (disturbed(during, best_calibration_ms, threads)) again
-namespace manzana::culling_benchmark {
+/// or, all of that:
+///   Undisturbed undisturbed;                                           // of the process
+///   row.calm = undisturbed.measure(threads, [&](std::uint64_t attempt) { ... }, [](double) { return true; });
+#include <cstdint>
+#include <functional>
+
+namespace manzana::apps {
 
 struct Conditions {
   double calibration_ms = 0;  ///< a loop of fixed work, the slower of before and after
@@ -31,7 +37,29 @@ class Watch {
 /// machine with no more cores than that: less than 95 % of them), or more than 2 % of the time stolen.
 bool disturbed(const Conditions& conditions, double best_calibration_ms, int threads);
 
+/// How it went: columns of many tables (apps/common/run_facts.h).
+struct Calm {
+  std::uint64_t dirty = 0;  ///< 1: disturbed in every attempt
+  std::uint64_t attempts = 1;
+  double calibration_ms = 0, others_cores = 0, steal = 0;
+};
+
+inline constexpr std::uint64_t kAttempts = 4;  ///< the first, and up to three more when the machine was disturbed
+
+/// Knows how fast the machine can be, from all that it has measured, and measures again while it is disturbed.
+class Undisturbed {
+ public:
+  Undisturbed();                     ///< calibrates
+  void note_calibration(double ms);  ///< of measurements made before, by others
+  /// `measure` is told the attempt, from 1 on; `again` the seconds that one takes, and says whether there is time.
+  Calm measure(int threads, const std::function<void(std::uint64_t)>& measure,
+               const std::function<bool(double)>& again);
+
+ private:
+  double best_calibration_ms_ = 1e9;
+};
+
 /// A few milliseconds of work that depends on the processor's clock alone.
 double calibrate_ms();
 
-}  // namespace manzana::culling_benchmark
+}  // namespace manzana::apps

@@ -1,4 +1,4 @@
-#include "apps/culling_benchmark/conditions.h"
+#include "apps/common/conditions.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -11,7 +11,9 @@
 #include <string>
 #include <thread>
 
-namespace manzana::culling_benchmark {
+#include "apps/common/clock.h"
+
+namespace manzana::apps {
 namespace {
 
 double cores() { return std::max(1U, std::thread::hardware_concurrency()); }
@@ -71,4 +73,27 @@ bool disturbed(const Conditions& conditions, double best_calibration_ms, int thr
          conditions.steal > 0.02;
 }
 
-}  // namespace manzana::culling_benchmark
+Undisturbed::Undisturbed() {
+  for (int i = 0; i < 5; ++i) note_calibration(calibrate_ms());
+}
+
+void Undisturbed::note_calibration(double ms) { best_calibration_ms_ = std::min(best_calibration_ms_, ms); }
+
+Calm Undisturbed::measure(int threads, const std::function<void(std::uint64_t)>& measure,
+                          const std::function<bool(double)>& again) {
+  Calm calm;
+  for (calm.attempts = 1;; ++calm.attempts) {
+    const auto start = Clock::now();
+    const Watch watch;
+    measure(calm.attempts);
+    const Conditions during = watch.stop();
+    note_calibration(during.calibration_ms);
+    calm.dirty = disturbed(during, best_calibration_ms_, threads) ? 1 : 0;
+    calm.calibration_ms = during.calibration_ms;
+    calm.others_cores = during.others_cores;
+    calm.steal = during.steal;
+    if (calm.dirty == 0 || calm.attempts == kAttempts || !again(us_since(start) * 1e-6)) return calm;
+  }
+}
+
+}  // namespace manzana::apps

@@ -1,0 +1,50 @@
+#pragma once
+/// The rows of a run on disk, so that an interrupted run goes on: the file is whole after each row.
+///   Record<Row> record(out / "runs.csv", columns, [&](const Row& row) { return same_run(row, facts); });
+///   if (record.find(is_it) == nullptr) record.keep(measure());
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+
+#include "apps/common/csv.h"
+#include "files/whole_file.h"
+
+namespace manzana::apps {
+
+template <class Row>
+class Record {
+ public:
+  /// What the file holds; without rows that are not `usable` any more, which is told on stderr.
+  Record(std::filesystem::path file, std::span<const Column<Row>> columns,
+         const std::function<bool(const Row&)>& usable)
+      : file_(std::move(file)), columns_(columns), rows_(rows_in<Row>(file_, columns)) {
+    const std::size_t dropped = std::erase_if(rows_, [&](const Row& row) { return !usable(row); });
+    if (dropped > 0)
+      std::fprintf(stderr, "%s: %zu rows of another commit, machine, seed or mode are measured anew\n", file_.c_str(),
+                   dropped);
+  }
+
+  const std::vector<Row>& rows() const { return rows_; }
+  void keep(Row row) {
+    rows_.push_back(std::move(row));
+    files::write_whole(file_, to_csv<Row>(rows_, columns_));
+  }
+  /// The file keeps them until the next row is kept.
+  template <class F>
+  void drop(F&& is_it) {
+    std::erase_if(rows_, is_it);
+  }
+  template <class F>
+  const Row* find(F&& is_it) const {
+    const auto at = std::find_if(rows_.begin(), rows_.end(), is_it);
+    return at == rows_.end() ? nullptr : &*at;
+  }
+
+ private:
+  std::filesystem::path file_;
+  std::span<const Column<Row>> columns_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace manzana::apps
