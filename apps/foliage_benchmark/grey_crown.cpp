@@ -33,18 +33,18 @@ class GreyPicture {
         picture_(make_picture(pixels, pixels)) {}
 
   void draw(const PlantQuad& quad, bool leaf, const Vec3& light) {
-    for (const std::size_t k : {1U, 2U}) {
-      const std::array<const PlantQuad::Corner*, 3> corners{&quad.corners[0], &quad.corners[k], &quad.corners[k + 1]};
-      std::array<Vec2, 3> at, uv;
-      for (std::size_t c = 0; c < 3; ++c) {
-        at[c] = view_.pixel(corners[c]->position);
-        uv[c] = Vec2(corners[c]->u, corners[c]->v) * (foliage::kUvRange / 65535);
-      }
-      const float near = view_.nearness(corners[0]->position);
-      foliage::for_each_pixel(at, view_.pixels(), [&](int x, int y, float v, float w) {
-        if (!leaf || holes_.opaque(uv[0] + (uv[1] - uv[0]) * v + (uv[2] - uv[0]) * w)) touch(x, y, near, light);
-      });
+    std::array<Vec2, 4> at;
+    std::array<float, 4> near;
+    for (std::size_t c = 0; c < 4; ++c) {
+      at[c] = view_.pixel(quad.corners[c].position);
+      near[c] = view_.nearness(quad.corners[c].position);
     }
+    const foliage::QuadUv uv(quad);
+    foliage::for_each_quad_span(at, form_of(quad, uv), view_.pixels(), [&](const auto& span, const auto& part) {
+      const foliage::Along depth(span, near, part), u(span, uv.u, part), v(span, uv.v, part);
+      for (int i = 0; i < span.last - span.first; ++i)
+        if (!leaf || holes_.opaque(u[i], v[i])) touch(span.first + i, span.y, depth[i], light);
+    });
   }
   const Picture& picture() const { return picture_; }
 
