@@ -25,11 +25,6 @@ struct Cell {
   std::string words;
 };
 
-std::string primitives_of(const foliage::Shown& shown) {
-  const std::uint64_t primitives = 2 * (shown.bark + shown.leaves + shown.lines) + shown.points;
-  return apps::grouped(static_cast<double>(primitives)) + " primitives";
-}
-
 /// One distance: its rows, cut alike and enlarged alike.
 std::array<Cell, kRows.size()> column_of(Stage& stage, std::uint32_t plant, double height_px, int times,
                                          double error_px) {
@@ -39,7 +34,7 @@ std::array<Cell, kRows.size()> column_of(Stage& stage, std::uint32_t plant, doub
   for (std::size_t i = 0; i < kRows.size(); ++i) {
     stage.set_law(kRows[i].law);
     cells[i].picture = stage.draw({plant, plant + 1}, shot, {error_px, kRows[i].sampling});
-    cells[i].words = primitives_of(stage.shown());
+    cells[i].words = apps::grouped(static_cast<double>(primitives_of(stage.shown()))) + " primitives";
     box = united(box, covered_box(cells[i].picture));
   }
   for (Cell& cell : cells) cell.picture = enlarged(cropped(cell.picture, box), times);

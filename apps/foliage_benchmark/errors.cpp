@@ -42,7 +42,7 @@ void set_counts(const foliage::Shown& shown, ErrorRow& row) {
   row.leaves = shown.leaves;
   row.lines = shown.lines;
   row.points = shown.points;
-  row.primitives = 2 * (shown.bark + shown.leaves + shown.lines) + shown.points;
+  row.primitives = primitives_of(shown);
 }
 
 class Measurement {

@@ -25,7 +25,6 @@ constexpr const char* kForest = "forest";
 constexpr const char* kPath = "forest, path";
 constexpr const char* kHerb = "Deussen 2005, figure 10.14";
 constexpr std::uint32_t kFieldPlants = 1500, kFieldTriangles = 12'000'000;  // [Deussen 2005, figure 10.14]
-constexpr double kMostFullQuads = 2e5;                                      // that are drawn at once with all detail
 
 std::vector<Extent> extents_of(std::span<const PreparedPlant> plants) {
   std::vector<Extent> extents;
@@ -47,15 +46,17 @@ double widest(std::span<const PreparedPlant> plants) {
 /// Plants on the ground, from shot to shot.
 class Scene {
  public:
-  Scene(std::span<const PreparedPlant> plants, const std::vector<foliage::TreeSite>& sites)
-      : extents_(extents_of(plants)), stage_(plants, sites, {.quads = 1U << 22}) {}
+  Scene(const Effort& effort, std::span<const PreparedPlant> plants, const std::vector<foliage::TreeSite>& sites)
+      : most_full_quads_(effort.quick ? 4e4 : 2e5),
+        extents_(extents_of(plants)),
+        stage_(plants, sites, {.quads = 1U << 22}) {}
 
   /// Ours with all plants in view, against all detail of some, times what they stand for.
   void measure(const Shot& shot, double seconds, TimeRow& row) {
     const auto all = in_view(stage_, extents_, shot);
     const std::uint64_t primitives = full_primitives(stage_, all);
     const auto every = std::max<std::uint32_t>(
-        1, static_cast<std::uint32_t>(std::ceil(static_cast<double>(primitives) / 2 / kMostFullQuads)));
+        1, static_cast<std::uint32_t>(std::ceil(static_cast<double>(primitives) / 2 / most_full_quads_)));
     const auto some = in_view(stage_, extents_, shot, every);
     stage_.set_law(Law::ours);
     row.covered_px = static_cast<double>(covered(stage_.draw(all, shot, kHow)));
@@ -101,6 +102,7 @@ class Scene {
 
  private:
   static constexpr HowDrawn kHow{1, Sampling::product};
+  double most_full_quads_;  // that are drawn at once with all detail
   std::vector<Extent> extents_;
   Stage stage_;
 };
@@ -211,7 +213,7 @@ void add_deussen(const Effort& effort, std::span<const PreparedPlant> plants, Ti
               const PreparedPlant plant = plant_of_the_field();
               const std::span one(&plant, 1);
               const double spacing = 1.6 * widest(one), half = spacing * std::sqrt(kFieldPlants) / 2;
-              Scene scene(one, make_forest(one, kFieldPlants, spacing, 5));
+              Scene scene(effort, one, make_forest(one, kFieldPlants, spacing, 5));
               const Vec3d eye(-half * 1.2, 0, 2 * static_cast<double>(plant.height_m));
               scene.measure(screen_shot(eye, {1, 0, -0.15}, effort.screen_height()), effort.seconds(), row);
             });
@@ -234,7 +236,7 @@ void add_forests(const Effort& effort, std::span<const PreparedPlant> plants, Ti
   const auto species = plants.first(std::min<std::size_t>(plants.size(), 7));
   const std::uint32_t trees = effort.quick ? 200 : 4000;
   const double spacing = 1.8 * widest(species), half = spacing * std::sqrt(trees) / 2;
-  Lazy<Scene> scene([&] { return Scene(species, make_forest(species, trees, spacing, 3)); });
+  Lazy<Scene> scene([&] { return Scene(effort, species, make_forest(species, trees, spacing, 3)); });
   const auto path = [&](int frames) { return forest_path(half, frames, effort.screen_height(), species.front()); };
   const std::string name = std::to_string(species.size()) + " species";
   for (const Shot& shot : path(effort.quick ? 3 : 16)) {

@@ -4,10 +4,6 @@
 
 namespace manzana::foliage_benchmark {
 
-std::uint64_t primitives_of(const foliage::Shown& shown) {
-  return 2 * (shown.bark + shown.leaves + shown.lines) + shown.points;
-}
-
 Portrait::Portrait(const foliage::PreparedPlant& plant, double height_px)
     : stage_({&plant, 1}, sites_of({&plant, 1})), shot_(shot_of(extent_of(plant), 0.4, 0.15, height_px)) {}
 

@@ -34,6 +34,4 @@ class Portrait {
   std::optional<Expected> expected_;
 };
 
-std::uint64_t primitives_of(const foliage::Shown& shown);
-
 }  // namespace manzana::foliage_benchmark

@@ -42,6 +42,11 @@ struct HowDrawn {
   Sampling sampling = Sampling::fine;
 };
 
+/// Triangles and points.
+inline std::uint64_t primitives_of(const foliage::Shown& shown) {
+  return 2 * (shown.bark + shown.leaves + shown.lines) + shown.points;
+}
+
 class Stage {
  public:
   /// A context must be current, and stay the same. Throws as PlantStore, Extractor and PlantPrograms do.

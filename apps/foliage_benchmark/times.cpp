@@ -127,7 +127,7 @@ void set_shown(const foliage::Shown& shown, TimeRow& row) {
   row.leaves = shown.leaves;
   row.lines = shown.lines;
   row.points = shown.points;
-  row.primitives = 2 * (shown.bark + shown.leaves + shown.lines) + shown.points;
+  row.primitives = primitives_of(shown);
 }
 
 Times measure_times(const Effort& effort, std::span<const foliage::PreparedPlant> plants) {
