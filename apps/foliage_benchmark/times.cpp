@@ -130,17 +130,22 @@ void set_shown(const foliage::Shown& shown, TimeRow& row) {
   row.primitives = primitives_of(shown);
 }
 
-Times measure_times(const Effort& effort, std::span<const foliage::PreparedPlant> plants) {
+Times measure_rows(const Effort& effort, const std::function<void(Times&)>& add) {
   Times counted;
   counted.take = [](TimeRow&, const Times::Measure&) {};
   counted.draw = [](const std::function<void()>&) {};
-  add_all(effort, plants, counted);
+  add(counted);
   Recorder recorder(effort, counted.rows.size());
   Times times;
   times.take = [&](TimeRow& row, const Times::Measure& measure) { recorder.take(row, measure); };
-  add_all(effort, plants, times);
+  add(times);
   times.dirty = recorder.dirty();
+  times.take = {};  // the recorder is gone
   return times;
+}
+
+Times measure_times(const Effort& effort, std::span<const foliage::PreparedPlant> plants) {
+  return measure_rows(effort, [&](Times& times) { add_all(effort, plants, times); });
 }
 
 std::string explain_times() { return apps::explain(columns()); }

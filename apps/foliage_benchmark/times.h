@@ -60,7 +60,9 @@ void add_deussen(const Effort& effort, std::span<const foliage::PreparedPlant> p
 void add_gadbem(const Effort& effort, std::span<const foliage::PreparedPlant> plants, Times& times);
 void add_forests(const Effort& effort, std::span<const foliage::PreparedPlant> plants, Times& times);
 
-/// All of these, with a progress bar. OUT/times.csv is whole after each row.
+/// What `add` adds, which it does twice: once to be counted. OUT/times.csv is whole after each row.
+Times measure_rows(const Effort& effort, const std::function<void(Times&)>& add);
+/// All of these, with a progress bar.
 Times measure_times(const Effort& effort, std::span<const foliage::PreparedPlant> plants);
 
 /// The table of times.csv's columns, in Markdown.
