@@ -109,10 +109,10 @@ ListBounds make_list_bounds(const PlantTable& table) {
 ListSizes most_leaves(const ListBounds& bounds, std::size_t plant, std::size_t nearest, std::size_t row) {
   const ListBounds::Plant& p = bounds.plants[plant];
   const double quads = bounds.quads[plant * glsl::kDetailSteps + row];
-  if (quads <= 0) return {glsl::kFixedItems, 0, 0, 0};
+  if (quads <= 0) return ListSizes(0);
   const double keep = bounds.share[plant * glsl::kDetailSteps + nearest] * quads * (1 + kSlack);
   // Of each cell one leaf more by chance, and a group that is not full: at most one group more.
-  return {glsl::kFixedItems + p.cells, std::min(p.groups, p.leaves * keep / glsl::kQuadGroup + p.cells), 0, 0};
+  return {p.cells, std::min(p.groups, p.leaves * keep / glsl::kQuadGroup + p.cells), 0, 0};
 }
 
 }  // namespace manzana::foliage

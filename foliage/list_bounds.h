@@ -9,7 +9,7 @@
 
 namespace manzana::foliage {
 
-/// Items; groups of quads, of lines, of points.
+/// Cells; groups of quads, of lines, of points.
 using ListSizes = glm::dvec4;
 
 struct ListBounds {
@@ -25,7 +25,7 @@ struct ListBounds {
 };
 ListBounds make_list_bounds(const PlantTable& table);
 
-/// Items and leaf quads of a tree with an error of row `row` or more; none of its cells has less than `nearest`'s.
+/// Cells and leaf quads of a tree with an error of row `row` or more; none of its cells has less than `nearest`'s.
 ListSizes most_leaves(const ListBounds& bounds, std::size_t plant, std::size_t nearest, std::size_t row);
 
 }  // namespace manzana::foliage

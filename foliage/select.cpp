@@ -120,16 +120,18 @@ void select(const PlantTable& table, const TreesSeen& seen, Selection& selection
   glsl::Twin twin = twin_of(table, seen);
   selection.trees.clear();
   selection.items.clear();
-  selection.item_first.assign(1, 0);
-  for (const Run& run : seen.runs) {
-    for (std::uint32_t i = run.first; i < run.last; ++i) {
-      const auto record = static_cast<std::uint32_t>(selection.trees.size());
-      const TreeRecord& tree = selection.trees.emplace_back(twin.place_tree(i));
-      const std::uint32_t items = twin.items_of(tree);
-      for (std::uint32_t slot = 0; slot < items; ++slot)
-        selection.items.push_back(twin.choose_item(tree, record, slot));
-      selection.item_first.push_back(static_cast<std::uint32_t>(selection.items.size()));
-    }
+  for (const Run& run : seen.runs)
+    for (std::uint32_t i = run.first; i < run.last; ++i) selection.trees.push_back(twin.place_tree(i));
+  for (std::uint32_t record = 0; record < selection.trees.size(); ++record) {
+    const TreeRecord& tree = selection.trees[record];
+    const Detail d = twin.detail_at(tree.plant, tree.error2);
+    const auto branches = twin.branch_items(tree, record, d), points = twin.points_items(tree, record, d);
+    for (const Item& item : {branches.a, branches.b, points.a, points.b}) selection.items.push_back(item);
+  }
+  for (std::uint32_t record = 0; record < selection.trees.size(); ++record) {
+    const TreeRecord& tree = selection.trees[record];
+    const std::uint32_t cells = twin.cells_of(tree, twin.detail_at(tree.plant, tree.error2));
+    for (std::uint32_t cell = 0; cell < cells; ++cell) selection.items.push_back(twin.cell_item(tree, record, cell));
   }
 }
 

@@ -49,10 +49,10 @@ PlantTable make_plant_table(std::span<const PreparedPlant> plants);
 TreeSite make_site(const PreparedPlant& plant, std::uint32_t index, float height_m, float crown_radius_m, float yaw,
                    std::uint64_t id);
 
-/// What is drawn: for every tree its record and its items, in the order of the runs.
+/// What is drawn: for every tree, in the order of the runs, its record and kFixedItems items; then, in the same order,
+/// an item for each cell of those that show leaf quads.
 struct Selection {
   std::vector<TreeRecord> trees;
-  std::vector<std::uint32_t> item_first;  ///< a row a tree, and one more
   std::vector<Item> items;
 };
 

@@ -138,7 +138,7 @@ Stage::Stage(std::span<const foliage::PreparedPlant> plants, std::span<const fol
       programs_(shaders_with_mask()),
       frame_(gl::make_buffer(sizeof(draw::FrameData))),
       rows_(gl::make_buffer(sizeof(draw::Rows))),
-      runs_(gl::make_buffer(sites.size() * sizeof(glm::uvec2))) {
+      trees_(gl::make_buffer(sites.size() * sizeof(std::uint32_t))) {
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
 }
 
@@ -178,15 +178,13 @@ Stage::Room& Stage::room_for(int width, int height, int samples) {
 
 void Stage::begin(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) {
   in_view_ = {};
-  std::vector<glm::uvec2> firsts;
-  for (const foliage::Run& run : runs) {
-    firsts.emplace_back(run.first, in_view_.trees);
-    in_view_.trees += run.size();
-  }
-  in_view_.buffer = runs_.name();
-  in_view_.runs = static_cast<std::uint32_t>(firsts.size());
+  std::vector<std::uint32_t> trees;
+  for (const foliage::Run& run : runs)
+    for (std::uint32_t site = run.first; site < run.last; ++site) trees.push_back(site);
+  in_view_.buffer = trees_.name();
+  in_view_.trees = static_cast<std::uint32_t>(trees.size());
   in_view_.error_at_1m = how.error_px / shot.focal_px;
-  glNamedBufferSubData(runs_.name(), 0, static_cast<GLsizeiptr>(firsts.size() * sizeof(glm::uvec2)), firsts.data());
+  glNamedBufferSubData(trees_.name(), 0, static_cast<GLsizeiptr>(trees.size() * sizeof trees[0]), trees.data());
   upload(rows_, rows_seen_from(shot.view.eye));
   draw::DrawOptions options;
   options.layers.fog = false;

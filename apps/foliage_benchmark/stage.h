@@ -86,7 +86,7 @@ class Stage {
   foliage::PlantStore store_;
   foliage::Extractor extractor_;
   foliage::PlantPrograms programs_;
-  gl::Buffer frame_, rows_, runs_;
+  gl::Buffer frame_, rows_, trees_;
   std::optional<foliage::Law> law_;
   foliage::TreesInView in_view_;
   std::vector<Room> rooms_;  // the newest last

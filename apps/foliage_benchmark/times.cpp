@@ -57,6 +57,7 @@ void add_all(const Effort& effort, std::span<const foliage::PreparedPlant> plant
   add_deussen(effort, plants, times);
   add_gadbem(effort, plants, times);
   add_forests(effort, plants, times);
+  add_extraction(effort, plants, times);
 }
 
 /// Measures rows as they are asked for, and keeps them.

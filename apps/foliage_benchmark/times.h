@@ -59,6 +59,7 @@ void add_gumbau(const Effort& effort, std::span<const foliage::PreparedPlant> pl
 void add_deussen(const Effort& effort, std::span<const foliage::PreparedPlant> plants, Times& times);
 void add_gadbem(const Effort& effort, std::span<const foliage::PreparedPlant> plants, Times& times);
 void add_forests(const Effort& effort, std::span<const foliage::PreparedPlant> plants, Times& times);
+void add_extraction(const Effort& effort, std::span<const foliage::PreparedPlant> plants, Times& times);
 
 /// What `add` adds, which it does twice: once to be counted. OUT/times.csv is whole after each row.
 Times measure_rows(const Effort& effort, const std::function<void(Times&)>& add);

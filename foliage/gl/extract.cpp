@@ -13,14 +13,14 @@ namespace {
 
 using glsl::Capacity;
 using glsl::Totals;
-static_assert(sizeof(Totals) == 160 && offsetof(Totals, missing) == offsetof(Totals, shown) + sizeof(Totals::shown));
+static_assert(sizeof(Totals) == 176 && offsetof(Totals, missing) == offsetof(Totals, shown) + sizeof(Totals::shown));
 
 constexpr GLintptr kCommandBytes = 5 * sizeof(GLuint);
 
 std::uint32_t ceil_div(std::uint32_t a, std::uint32_t b) { return (a + b - 1) / b; }
 
 Capacity capacity_of(const ExtractLimits& limits) {
-  return {.items = std::min(limits.items, kMostItems),
+  return {.cells = std::min(limits.cells, kMostCells),
           .quad_groups = ceil_div(limits.quads, glsl::kQuadGroup),
           .line_groups = ceil_div(limits.lines, glsl::kLineGroup),
           .point_groups = ceil_div(limits.points, glsl::kPointGroup),
@@ -58,8 +58,8 @@ void bind(const Extractor& e, const TreesInView& view) {
   to(kItemsBinding, e.items);
   to(kGroupsBinding, e.groups);
   to(kCommandsBinding, e.commands);
-  glBindBufferRange(GL_SHADER_STORAGE_BUFFER, kRunsBinding, view.buffer, view.offset,
-                    static_cast<GLsizeiptr>(std::max(view.runs, 1U) * sizeof(glm::uvec2)));
+  glBindBufferRange(GL_SHADER_STORAGE_BUFFER, kSitesInViewBinding, view.buffer, view.offset,
+                    static_cast<GLsizeiptr>(std::max(view.trees, 1U) * sizeof(GLuint)));
 }
 
 void bind(const Extractor::Sums& sums) {
@@ -88,13 +88,13 @@ Extractor::Extractor(std::span<const TreeSite> all, const ExtractLimits& limits)
       capacity(capacity_of(limits)),
       sites(gl::make_buffer(std::as_bytes(all))),
       trees(make_room<TreeRecord>(all.size())),
-      items(make_room<Item>(capacity.items)),
+      items(make_room<Item>(all.size() * glsl::kFixedItems + capacity.cells)),
       groups(make_room<glm::uvec2>(std::size_t{capacity.quad_groups} + capacity.line_groups + capacity.point_groups)),
       commands(gl::make_buffer(static_cast<std::size_t>(command_places(capacity).points + kCommandBytes))),
       totals(make_room<Totals>(1)),
       shown(std::make_unique<gl::Readback>(sizeof(Totals::shown) + sizeof(Totals::missing))),
       tree_sums(make_sums(all.size())),
-      item_sums(make_sums(capacity.items)),
+      cell_sums(make_sums(capacity.cells)),
       place(make_pass("place", shaders::place_comp)),
       scan(make_pass("scan", shaders::scan_comp)),
       scan_blocks(make_pass("scan_blocks", shaders::scan_blocks_comp)),
@@ -107,7 +107,7 @@ void start(Extractor& e, const PlantStore& store, const TreesInView& view) {
   assert(view.trees <= e.most_trees);
   Totals totals{};
   totals.error2_at_1m = error2_at_1m(view.error_at_1m);
-  totals.runs = view.runs;
+  totals.all_trees = view.trees;
   totals.capacity = e.capacity;
   glNamedBufferSubData(e.totals.name(), 0, sizeof totals, &totals);
   bind(store);
@@ -115,27 +115,26 @@ void start(Extractor& e, const PlantStore& store, const TreesInView& view) {
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, e.totals.name());
 }
 
-void set_scan(Extractor& e, bool of_items) {
-  glProgramUniform1ui(e.scan.name(), 0, of_items ? 1 : 0);
-  glProgramUniform1ui(e.scan_blocks.name(), 0, of_items ? 1 : 0);
+void set_scan(Extractor& e, bool of_cells) {
+  bind(of_cells ? e.cell_sums : e.tree_sums);
+  glProgramUniform1ui(e.scan.name(), 0, of_cells ? 1 : 0);
+  glProgramUniform1ui(e.scan_blocks.name(), 0, of_cells ? 1 : 0);
 }
 
 /// Trees in view [trees.first, trees.last): after those of earlier nodes.
 void extract_node(Extractor& e, const Run& trees) {
-  const std::array<GLuint, 1> size{trees.size()}, first{trees.first};
-  glNamedBufferSubData(e.totals.name(), offsetof(Totals, trees), sizeof size, size.data());
-  glNamedBufferSubData(e.totals.name(), offsetof(Totals, first_tree), sizeof first, first.data());
-  bind(e.tree_sums);
+  const std::array<GLuint, 2> node{trees.size(), trees.first};
+  static_assert(offsetof(Totals, first_tree) == sizeof(GLuint));
+  glNamedBufferSubData(e.totals.name(), offsetof(Totals, trees), sizeof node, node.data());
   set_scan(e, false);
   dispatch(e.place, ceil_div(trees.size(), 64));
   dispatch(e.scan, ceil_div(trees.size(), glsl::kScanBlock));
   dispatch(e.scan_blocks, 1);
-  bind(e.item_sums);
   set_scan(e, true);
-  dispatch_indirect(e.choose, offsetof(Totals, per_item));
+  dispatch_indirect(e.choose, offsetof(Totals, per_cell));
   dispatch_indirect(e.scan, offsetof(Totals, per_block));
   dispatch(e.scan_blocks, 1);
-  dispatch_indirect(e.expand, offsetof(Totals, per_item));
+  dispatch_indirect(e.expand, offsetof(Totals, per_row));
 }
 
 void finish(Extractor& e) {
@@ -170,7 +169,7 @@ Shown newest_shown(Extractor& extractor) {
 }
 
 ListSizes room_of(const Capacity& capacity) {
-  return {capacity.items, capacity.quad_groups, capacity.line_groups, capacity.point_groups};
+  return {capacity.cells, capacity.quad_groups, capacity.line_groups, capacity.point_groups};
 }
 
 CommandPlaces command_places(const Capacity& capacity) {

@@ -2,8 +2,8 @@
 /// From the trees in view to the lists that are drawn of them, on the GPU: five dispatches for all trees at once,
 /// nothing read back. The CPU's twin is foliage/select.h; both choose the same to the bit.
 ///   Extractor extractor(sites, {});
-///   stream...: runs of visible sites
-///   extract(extractor, store, {stream.name(), offset, runs, trees});
+///   stream...: rows of visible sites
+///   extract(extractor, store, {stream.name(), offset, trees});
 ///   draw_plants(programs, store, extractor, focal_px);          // foliage/gl/draw_plants.h
 #include <cstdint>
 #include <memory>
@@ -21,19 +21,19 @@ namespace glsl {
 }  // namespace glsl
 
 /// What a frame may show at most: what is beyond is not drawn, so a budget should keep it from happening
-/// (foliage/budget.h, room_of()). Memory: 48 bytes an item, 8 a group. At most kMostItems items.
+/// (foliage/budget.h, room_of()). Memory: 48 bytes a cell, 8 a group; and 208 a tree.
 struct ExtractLimits {
-  std::uint32_t items = 1U << 20;
+  std::uint32_t cells = 1U << 20;  ///< at most kMostCells
   std::uint32_t quads = 1U << 21, lines = 1U << 18, points = 1U << 21;
 };
 
-constexpr std::uint32_t kMostItems = 65535 * 64;  // of one dispatch, on every device
+constexpr std::uint32_t kMostCells = 65535 * 64;  // of one dispatch, on every device
 
-/// Runs of sites as uvec2 (first site, first tree in view), in a buffer; sorted by the second.
+/// Rows of sites, in a buffer of uint.
 struct TreesInView {
   GLuint buffer = 0;
   GLintptr offset = 0;
-  std::uint32_t runs = 0, trees = 0;
+  std::uint32_t trees = 0;
   double error_at_1m = 0.001;  ///< as TreesSeen has it
 };
 
@@ -51,7 +51,7 @@ struct Extractor {
   struct Sums {
     gl::Buffer offsets, blocks;
   };
-  Sums tree_sums, item_sums;
+  Sums tree_sums, cell_sums;
   gl::Program place, scan, scan_blocks, choose, expand;
 };
 
@@ -59,7 +59,8 @@ struct Extractor {
 void extract(Extractor& extractor, const PlantStore& store, const TreesInView& view);
 
 /// The same, each node's trees for themselves: seven dispatches a node. `nodes`: runs of sites, those of `view` or
-/// parts of them, in order; the lists are equal to the bit. For comparison.
+/// parts of them, in order. Records and items are equal to the bit, and so are groups but for their order. For
+/// comparison.
 void extract_by_node(Extractor& extractor, const PlantStore& store, const TreesInView& view,
                      std::span<const Run> nodes);
 

@@ -32,7 +32,7 @@ enum Binding : GLuint {
   kCellsBinding,
   kDetailsBinding,
   kViewsBinding,
-  kRunsBinding,
+  kSitesInViewBinding,
   kTotalsBinding,
   kTreesBinding,
   kOffsetsBinding,

@@ -1,28 +1,30 @@
 // From visible trees to what is drawn of them, in five dispatches without a read-back:
-//   place    a tree in view -> its record, and how many items it has
-//   scan     their sums, so that each tree knows where its items stand
-//   choose   an item -> how many primitives of which list; how many groups they fill
-//   scan     their sums
-//   expand   an item -> its groups; a draw reads groups
+//   place    a tree in view -> its record, its fixed items, how many cells it shows
+//   scan     sums of these cells and of the groups that items fill, so that each tree knows where its own stand
+//   choose   a cell -> its item
+//   scan     sums of the groups that they fill
+//   expand   an item -> its groups
 // Draws read groups. What a list has no room for is left out, and counted: hosts should see to it that it never
 // happens (foliage/budget.h).
 const uint kScanBlock = 1024u;    // elements that one work group sums
 const uint kQuadsOfDraw = 65536u;  // of one command; the index buffer repeats
 
 struct Capacity {
-  uint items, quad_groups, line_groups, point_groups;
+  uint cells, quad_groups, line_groups, point_groups;
   uint quad_draws, line_draws, spare0, spare1;  // commands that these might need
 };
 
-// What passes are told, and what they tell. Trees are extracted all at once, or node after node: what earlier nodes have
-// left is `before`.
+// What passes are told, and what they tell. Trees are extracted all at once, or node after node.
 struct Totals {
-  uint trees, runs, first_tree;  // of the node at hand
+  uint trees, first_tree;  // of the node at hand
   float error2_at_1m;
-  uint items, items_before, spare0, spare1;  // of the node; of those before it
-  uvec4 groups, groups_before;               // quads, lines, points in x, y, z: with this node; without
-  uvec4 per_item, per_block;                 // work groups for choose and expand, and for the scan of items
+  uint spare0;
+  uint cells, cells_before;           // of the node; of those before it
+  uint all_trees, spare1;             // of all nodes
+  uvec4 groups;                       // of quads, lines, points that are wanted so far, with this node
+  uvec4 groups_before;                // where the node's begin: bark, lines, points, leaves
+  uvec4 per_cell, per_block, per_row;  // work groups for choose, the scan of cells, expand
   Capacity capacity;
   uvec4 shown;    // primitives of each kind, of all nodes
-  uvec4 missing;  // what lists had no room for: items; groups of quads, lines, points
+  uvec4 missing;  // what lists had no room for: cells; groups of quads, lines, points
 };

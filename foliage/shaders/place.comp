@@ -1,24 +1,19 @@
 layout(local_size_x = 64) in;
-layout(std430, binding = 7) readonly buffer Runs { uvec2 runs[]; };  // first site, first tree in view; sorted
-layout(std430, binding = 9) writeonly buffer Trees { TreeRecord trees[]; };
-layout(std430, binding = 10) writeonly buffer Sums { uvec4 offsets[]; };
-
-uint run_of(uint tree) {
-  uint low = 0u, high = totals.runs;
-  while (high - low > 1u) {
-    uint middle = (low + high) / 2u;
-    if (runs[middle].y <= tree) low = middle;
-    else high = middle;
-  }
-  return low;
-}
+layout(std430, binding = 7) restrict readonly buffer SitesInView { uint sites_in_view[]; };
+layout(std430, binding = 9) restrict writeonly buffer Trees { TreeRecord trees[]; };
+layout(std430, binding = 13) restrict writeonly buffer Sums { uvec4 offsets[]; };
+layout(std430, binding = 15) restrict writeonly buffer Items { Item items[]; };
 
 void main() {
-  uint i = gl_GlobalInvocationID.x;
+  uint i = gl_GlobalInvocationID.x, index = totals.first_tree + i, item = index * kFixedItems;
   if (i >= totals.trees) return;
-  uint index = totals.first_tree + i;
-  uvec2 run = runs[run_of(index)];
-  TreeRecord tree = place_tree(run.x + (index - run.y));
+  TreeRecord tree = place_tree(sites_in_view[index]);
   trees[index] = tree;
-  offsets[i] = uvec4(items_of(tree), 0u, 0u, 0u);
+  Detail d = detail_at(tree.plant, tree.error2);
+  ItemPair branches = branch_items(tree, index, d), points = points_items(tree, index, d);
+  items[item] = branches.a;
+  items[item + 1u] = branches.b;
+  items[item + 2u] = points.a;
+  items[item + 3u] = points.b;
+  offsets[i].w = cells_of(tree, d);  // the others follow from the items
 }

@@ -1,8 +1,8 @@
 // Exclusive sums of the blocks' totals, by one work group; then the sizes of what comes next.
 layout(local_size_x = 256) in;
-layout(std430, binding = 11) buffer Blocks { uvec4 blocks[]; };
-layout(std430, binding = 12) writeonly buffer Commands { uint commands[]; };
-layout(location = 0) uniform uint of_items;
+layout(std430, binding = 11) restrict buffer Blocks { uvec4 blocks[]; };
+layout(std430, binding = 12) restrict writeonly buffer Commands { uint commands[]; };
+layout(location = 0) uniform uint of_cells;
 
 shared uvec4 part[256];
 
@@ -17,25 +17,29 @@ void write_quads(uint first_word, uint draws, uint quads) {
   }
 }
 
-void finish_trees(uint items) {
+// Bark goes before the node's leaves.
+void finish_trees(uvec4 total) {
   if (gl_LocalInvocationID.x != 0u) return;
-  totals.items_before += totals.items;
-  totals.groups_before = totals.groups;
-  uint room = totals.capacity.items - totals.items_before;
-  totals.missing.x += items - min(items, room);
-  items = min(items, room);
-  totals.items = items;
-  totals.per_item = uvec4((items + 63u) / 64u, 1u, 1u, 0u);
-  totals.per_block = uvec4((items + kScanBlock - 1u) / kScanBlock, 1u, 1u, 0u);
+  totals.cells_before += totals.cells;
+  uint room = totals.capacity.cells - totals.cells_before, cells = min(total.w, room);
+  totals.missing.x += total.w - cells;
+  totals.cells = cells;
+  uvec4 bark = plus(totals.groups, uvec4(total.x, 0u, 0u, 0u));
+  totals.groups_before = uvec4(totals.groups.xyz, bark.x);
+  totals.groups = plus(bark, uvec4(0u, total.yz, 0u));
+  totals.per_cell = uvec4((cells + 63u) / 64u, 1u, 1u, 0u);
+  totals.per_block = uvec4((cells + kScanBlock - 1u) / kScanBlock, 1u, 1u, 0u);
+  totals.per_row = uvec4((max(cells, totals.trees) + 63u) / 64u, 1u, 1u, 0u);
 }
 
-void finish(uvec4 total) {
+void finish_cells(uvec4 total) {
   Capacity room = totals.capacity;
   uvec4 most = uvec4(room.quad_groups, room.line_groups, room.point_groups, 0u);
-  uvec4 wanted = plus(totals.groups_before, total), groups = min(wanted, most);
+  uvec4 wanted = plus(totals.groups, uvec4(total.x, 0u, 0u, 0u)), groups = min(wanted, most);
+  barrier();
   if (gl_LocalInvocationID.x == 0u) {
-    totals.groups = groups;
-    totals.missing = plus(totals.missing, uvec4(0u, (wanted - groups).xyz));
+    totals.groups = wanted;
+    totals.missing.yzw = (wanted - groups).xyz;
     uint word = 5u * (room.quad_draws + room.line_draws);
     commands[word] = groups.z * kPointGroup;
     commands[word + 1u] = 1u;
@@ -47,13 +51,13 @@ void finish(uvec4 total) {
 }
 
 void main() {
-  uint t = gl_LocalInvocationID.x, count = of_items != 0u ? totals.items : totals.trees;
+  uint t = gl_LocalInvocationID.x, count = of_cells != 0u ? totals.cells : totals.trees;
   count = (count + kScanBlock - 1u) / kScanBlock;
   uvec4 total = uvec4(0u);
   for (uint first = 0u; first < count; first += 256u) {
     uvec4 mine = first + t < count ? blocks[first + t] : uvec4(0u);
     part[t] = mine;
-    for (uint step = 1u; step < 256u; step *= 2u) {
+    for (uint step = 1u; step < min(count - first, 256u); step *= 2u) {
       barrier();
       uvec4 left = t >= step ? part[t - step] : uvec4(0u);
       barrier();
@@ -61,9 +65,9 @@ void main() {
     }
     barrier();
     if (first + t < count) blocks[first + t] = plus(total, t > 0u ? part[t - 1u] : uvec4(0u));
-    total = plus(total, part[255]);
+    total = plus(total, part[min(count - first, 256u) - 1u]);
     barrier();
   }
-  if (of_items == 0u) finish_trees(total.x);
-  else finish(total);
+  if (of_cells == 0u) finish_trees(total);
+  else finish_cells(total);
 }

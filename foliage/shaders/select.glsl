@@ -71,10 +71,8 @@ Detail detail_at(uint plant, float error2) {
   return d;
 }
 
-uint items_of(TreeRecord tree) {
-  Detail d = detail_at(tree.plant, tree.error2);
-  return kFixedItems + (d.to_points < 1.0f ? plants[tree.plant].cells : 0u);
-}
+// Items of a tree's own cells.
+uint cells_of(TreeRecord tree, Detail d) { return d.to_points < 1.0f ? plants[tree.plant].cells : 0u; }
 
 // floor(n + a random part of 1), at most `most`: cells and trees share remainders fairly.
 uint rounded(float n, uint hash, uint most) {
@@ -96,67 +94,70 @@ Item no_item(uint record, uint kind) {
 }
 
 // The level's mesh without the branches that have turned into lines already, the more of them the farther.
-uvec2 branch_step(PlantHead plant, Detail d) {
-  uint level = min(uint(d.bark), plant.bark_levels - 1u), last = plant.bark[level].z - 1u;
-  precise float gone = min(d.bark - float(level), 1.0f) * float(last);
-  return steps[plant.first_step + plant.bark[level].y + last - min(uint(gone), last)];
+uvec2 branch_step(uint plant, uint level, float bark) {
+  uint last = plants[plant].bark[level].z - 1u;
+  precise float gone = min(bark - float(level), 1.0f) * float(last);
+  return steps[plants[plant].first_step + plants[plant].bark[level].y + last - min(uint(gone), last)];
 }
 
-Item bark_item(TreeRecord tree, uint record, Detail d) {
-  PlantHead plant = plants[tree.plant];
-  Item item = no_item(record, kBark);
-  if (plant.bark_levels == 0u) return item;
-  item.first = plant.first_quad + plant.bark[min(uint(d.bark), plant.bark_levels - 1u)].x;
-  item.count = branch_step(plant, d).x;
-  return item;
-}
+struct ItemPair {
+  Item a, b;
+};
 
-Item lines_item(TreeRecord tree, uint record, Detail d) {
-  PlantHead plant = plants[tree.plant];
-  Item item = no_item(record, kLines);
-  if (plant.bark_levels == 0u) return item;
-  uint first = branch_step(plant, d).y, last = min(uint(d.lines), plant.lines);
-  item.first = plant.first_line + first;
-  item.count = max(last, first) - first;
-  return item;
+// Bark and lines.
+ItemPair branch_items(TreeRecord tree, uint record, Detail d) {
+  uint plant = tree.plant, levels = plants[plant].bark_levels;
+  Item bark = no_item(record, kBark), lines = no_item(record, kLines);
+  if (levels == 0u) return ItemPair(bark, lines);
+  uint level = min(uint(d.bark), levels - 1u), last = min(uint(d.lines), plants[plant].lines);
+  uvec2 step = branch_step(plant, level, d.bark);
+  bark.first = plants[plant].first_quad + plants[plant].bark[level].x;
+  bark.count = step.x;
+  lines.first = plants[plant].first_line + step.y;
+  lines.count = max(last, step.y) - step.y;
+  return ItemPair(bark, lines);
 }
 
 // Points of two neighbouring levels: x on the way from one to the next, x times all of the coarser are shown, and as
 // many of the finer as are missing. So each level is whole where the next one takes over.
-Item points_item(TreeRecord tree, uint record, Detail d, uint slot) {
-  PlantHead plant = plants[tree.plant];
-  Item item = no_item(record, kPoints);
-  if (plant.point_levels == 0u || d.to_points <= 0.0f) return item;
-  uint fine = min(uint(d.point_level), plant.point_levels - 1u), coarse = min(fine + 1u, plant.point_levels - 1u);
-  precise float x = d.point_level - float(fine), of_coarse = x * float(plant.points[coarse].y);
-  uint level = slot == 2u ? fine : coarse;
-  precise float shown = (slot == 2u ? d.points - of_coarse : of_coarse) * d.to_points;
-  item.first = plant.first_point + plant.points[level].x;
-  item.count = rounded(shown, mixed(tree.hash + slot), plant.points[level].y);
-  precise float gain = float(plant.points[level].y) * d.point_gain;
-  item.scale = gain;
-  return item;
+ItemPair points_items(TreeRecord tree, uint record, Detail d) {
+  uint plant = tree.plant, levels = plants[plant].point_levels;
+  Item fine = no_item(record, kPoints), coarse = fine;
+  if (levels == 0u || d.to_points <= 0.0f) return ItemPair(fine, coarse);
+  uint level = min(uint(d.point_level), levels - 1u), next = min(level + 1u, levels - 1u);
+  uvec4 of_level = plants[plant].points[level], of_next = plants[plant].points[next];
+  precise float x = d.point_level - float(level), of_coarse = x * float(of_next.y);
+  precise float fine_shown = (d.points - of_coarse) * d.to_points, coarse_shown = of_coarse * d.to_points;
+  precise float fine_gain = float(of_level.y) * d.point_gain, coarse_gain = float(of_next.y) * d.point_gain;
+  fine.first = plants[plant].first_point + of_level.x;
+  fine.count = rounded(fine_shown, mixed(tree.hash + 2u), of_level.y);
+  fine.scale = fine_gain;
+  coarse.first = plants[plant].first_point + of_next.x;
+  coarse.count = rounded(coarse_shown, mixed(tree.hash + 3u), of_next.y);
+  coarse.scale = coarse_gain;
+  return ItemPair(fine, coarse);
 }
 
-uint view_share(PlantHead plant, uint cell, uint direction) {
-  uint at = plant.first_view + cell * plant.view_side * plant.view_side + direction;
+uint view_share(uint plant, uint cell, uint direction) {
+  uint side = plants[plant].view_side, at = plants[plant].first_view + cell * side * side + direction;
   return (views[at >> 2u] >> (8u * (at & 3u))) & 255u;
 }
 
 // Share of a cell that can be seen from the eye: between three baked directions outside, all of it within the crown.
 float visible_share(TreeRecord tree, uint index, float hidden) {
-  PlantHead plant = plants[tree.plant];
-  if (plant.view_side == 0u || hidden <= 0.0f) return 1.0f;
+  uint plant = tree.plant, side = plants[plant].view_side;
+  if (side == 0u || hidden <= 0.0f) return 1.0f;
   TreeSite site = sites[tree.site];
-  vec3 middle = placed(tree.row_x, tree.row_y, tree.row_z, vec3(0.0f, 0.0f, plant.middle));
-  precise float r2 = squared(middle) * site.inv_scale2, outside = (r2 - plant.near2) * plant.per_near2;
+  vec3 middle = placed(tree.row_x, tree.row_y, tree.row_z, vec3(0.0f, 0.0f, plants[plant].middle));
+  precise float r2 = squared(middle) * site.inv_scale2;
+  precise float outside = (r2 - plants[plant].near2) * plants[plant].per_near2;
   if (outside <= 0.0f) return 1.0f;
   precise float rr = site.radius * site.radius, hh = site.height * site.height;
   precise float x = tree.row_x.x * middle.x + tree.row_y.x * middle.y + tree.row_z.x * middle.z;
   precise float y = tree.row_x.y * middle.x + tree.row_y.y * middle.y + tree.row_z.y * middle.z;
   precise float z = tree.row_x.z * middle.x + tree.row_y.z * middle.y + tree.row_z.z * middle.z;
   precise float ex = -x * hh, ey = -y * hh, ez = -z * rr;
-  GridWeights grid = grid_weights(plant.view_side, vec3(ex, ey, ez));
+  GridWeights grid = grid_weights(side, vec3(ex, ey, ez));
   uint sum = grid.weight.x * view_share(plant, index, grid.vertex.x) +
              grid.weight.y * view_share(plant, index, grid.vertex.y) +
              grid.weight.z * view_share(plant, index, grid.vertex.z);
@@ -164,30 +165,21 @@ float visible_share(TreeRecord tree, uint index, float hidden) {
   return between(1.0f, baked, min(outside, 1.0f) * hidden);
 }
 
-Item cell_item(TreeRecord tree, uint record, Detail at_tree, uint index) {
-  PlantHead plant = plants[tree.plant];
-  CellHead cell = cells[plant.first_cell + index];
+Item cell_item(TreeRecord tree, uint record, uint index) {
+  CellHead cell = cells[plants[tree.plant].first_cell + index];
   Item item = no_item(record, kLeaves);
   float r2 = squared(placed(tree.row_x, tree.row_y, tree.row_z, cell.centre));
   precise float error2 = r2 * sites[tree.site].inv_scale2 * error2_at_1m;
-  Detail d = detail_at(tree.plant, error2);
+  Detail at_tree = detail_at(tree.plant, tree.error2), d = detail_at(tree.plant, error2);
   precise float keep = d.share * visible_share(tree, index, d.hidden) * (1.0f - at_tree.to_points);
   precise float shown = float(cell.count) * keep;
   uint hash = mixed(tree.hash ^ mixed(index));
   precise float edge = shown + fraction_of(hash);
-  item.first = plant.first_quad + cell.first;
+  item.first = plants[tree.plant].first_quad + cell.first;
   item.count = min(uint(edge), cell.count);
   item.edge = keep >= 1.0f ? 3.0e38f : edge;
   precise float fade = shown * d.fade;
-  item.fade = d.fade < 0.0f ? 1.0e-6f : max(fade, 1.0f);
+  item.fade = max(fade, 1.0f);
   item.scale = d.scale;
   return item;
-}
-
-Item choose_item(TreeRecord tree, uint record, uint slot) {
-  Detail d = detail_at(tree.plant, tree.error2);
-  if (slot == 0u) return bark_item(tree, record, d);
-  if (slot == 1u) return lines_item(tree, record, d);
-  if (slot < kFixedItems) return points_item(tree, record, d, slot);
-  return cell_item(tree, record, d, slot - kFixedItems);
 }

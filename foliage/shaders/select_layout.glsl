@@ -70,5 +70,6 @@ struct Item {
 const uint kQuadGroup = 4u, kLineGroup = 4u, kPointGroup = 16u;
 const uint kBark = 0u, kLeaves = 1u, kLines = 2u, kPoints = 3u;
 
-// Items of a tree: its bark, its lines, its points in two levels; then its cells, if it shows leaf quads.
+// Items of every tree: its bark, its lines, its points in two levels. Those of all trees come first, whether empty or
+// not, then those of the cells of trees that show leaf quads.
 const uint kFixedItems = 4u;

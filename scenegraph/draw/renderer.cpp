@@ -58,7 +58,7 @@ struct Renderer::State {
         buildings(scene.buildings),
         surfaces(scene.surfaces),
         paints(make_paint_programs()),
-        trees(scene.trees, plants, limits_for(scene.trees.instances.size())),
+        trees(scene.trees, plants, {}),
         cars(scene.traffic.cars()),
         car_shadows(make_shadow("shadow_car", shaders::shadow_car_vert)) {}
 
@@ -85,7 +85,7 @@ std::size_t Renderer::State::bytes_of_frame(const VisibleSets& sets) const {
   using gl::StreamBuffer;
   return StreamBuffer::padded(sizeof(FrameData)) + StreamBuffer::padded((rows.size() + 1) * sizeof(Rows)) +
          stream_bytes(buildings, sets.objects().size()) + stream_bytes(surfaces, sets.objects().size()) +
-         stream_bytes(trees, sets.objects().size()) + stream_bytes(cars.meshes, sets.cars.size());
+         stream_bytes(trees) + stream_bytes(cars.meshes, sets.cars.size());
 }
 
 void Renderer::State::upload_frame(const VisibleSets& sets, const FrameData& frame) {

@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "manzana_draw_shaders.h"
@@ -74,11 +75,11 @@ void find_runs(const TreeLayer& trees, std::span<const culling::ObjectRun> objec
   }
 }
 
-foliage::TreesInView write_runs(std::span<const foliage::Run> runs, gl::StreamBuffer& stream) {
-  const auto out = stream.take<glm::uvec2>(runs.size());
+foliage::TreesInView write_rows(std::span<const foliage::Run> runs, std::size_t most, gl::StreamBuffer& stream) {
+  const auto out = stream.take<GLuint>(most);
   foliage::TreesInView view{.buffer = stream.name(), .offset = out.offset};
   for (const foliage::Run& run : runs) {
-    out.items[view.runs++] = {run.first, view.trees};
+    std::iota(out.items + view.trees, out.items + view.trees + run.size(), run.first);
     view.trees += run.size();
   }
   return view;
@@ -106,15 +107,8 @@ TreeLayerGpu::TreeLayerGpu(const TreeLayer& trees, std::span<const foliage::Prep
   runs.reserve(sites.size());
 }
 
-foliage::ExtractLimits limits_for(std::size_t trees) {
-  foliage::ExtractLimits limits;
-  const std::size_t fixed = std::min<std::size_t>(trees * foliage::glsl::kFixedItems, foliage::kMostItems);
-  limits.items = std::max(limits.items, static_cast<std::uint32_t>(fixed));
-  return limits;
-}
-
-std::size_t stream_bytes(const TreeLayerGpu&, std::size_t runs) {
-  return gl::StreamBuffer::padded(runs * sizeof(glm::uvec2));
+std::size_t stream_bytes(const TreeLayerGpu& layer) {
+  return gl::StreamBuffer::padded(layer.sites.size() * sizeof(GLuint));
 }
 
 void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const culling::ObjectRun> objects,
@@ -122,7 +116,7 @@ void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const 
   find_runs(trees, objects, detail.by_node, layer.runs);
   const std::span<const Vec4> rows(blocks.empty() ? nullptr : blocks.front().data(), blocks.size() * 3);
   choose_detail(layer, rows, detail);
-  foliage::TreesInView view = write_runs(layer.runs, stream);
+  foliage::TreesInView view = write_rows(layer.runs, layer.sites.size(), stream);
   view.error_at_1m = layer.error_at_1m;
   layer.trees_in_view = view.trees;
   if (view.trees == 0) return;

@@ -1,5 +1,5 @@
 #pragma once
-/// Trees on the GPU: what the culling sees goes to foliage/gl as runs of sites, and comes back as three draws.
+/// Trees on the GPU: what the culling sees goes to foliage/gl as rows of sites, and comes back as three draws.
 #include "foliage/budget.h"
 #include "foliage/detail.h"
 #include "foliage/gl/draw_plants.h"
@@ -41,10 +41,7 @@ struct TreeDetail {
   bool by_node = false;        ///< each visible node's trees in dispatches of their own; else all at once
 };
 
-/// Room for a good picture of some thousand trees, and for all of so many trees far away.
-foliage::ExtractLimits limits_for(std::size_t trees);
-
-std::size_t stream_bytes(const TreeLayerGpu& layer, std::size_t runs);
+std::size_t stream_bytes(const TreeLayerGpu& layer);
 
 /// Once a frame, with the blocks' rows, relative to the eye, bound. `objects`: runs of the tree's.
 void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const culling::ObjectRun> objects,

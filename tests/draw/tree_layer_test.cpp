@@ -43,7 +43,7 @@ struct Drawing {
   gl::StreamBuffer stream;
 
   foliage::Shown extract_with(TreeLayerGpu& layer, const TreeDetail& detail) {
-    stream.begin(gl::StreamBuffer::padded(sizeof(Rows)) + stream_bytes(layer, sets.objects().size()));
+    stream.begin(gl::StreamBuffer::padded(sizeof(Rows)) + stream_bytes(layer));
     const auto blocks = stream.take<Rows>(1);
     *blocks.items = rows[0];
     glBindBufferRange(GL_SHADER_STORAGE_BUFFER, foliage::kBlockRowsBinding, stream.name(), blocks.offset, sizeof(Rows));
@@ -87,12 +87,6 @@ TEST_CASE("trees: the error rises until the lists have room and falls again when
   CHECK(drawing.extract_with(layer, {.error_at_1m = 30 * kAsked}).missing == 0);
   CHECK(layer.error_at_1m == 30 * kAsked);
   CHECK(layer.law == foliage::Law::ours);
-}
-
-TEST_CASE("trees: room grows with a forest as far as a dispatch does") {
-  CHECK(limits_for(10).items == foliage::ExtractLimits{}.items);
-  CHECK(limits_for(1'000'000).items == 4'000'000);
-  CHECK(limits_for(100'000'000).items == foliage::kMostItems);
 }
 
 }  // namespace manzana::draw

@@ -81,23 +81,25 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 
 /// What `extract` is told of the forest; the buffers live as long as this.
 struct Uploaded {
-  gl::Buffer rows, runs;
+  gl::Buffer rows, sites;
   TreesInView view;
 };
 
 Uploaded upload(const Forest& forest) {
-  std::vector<glm::uvec2> runs;
+  std::vector<std::uint32_t> sites;
   Uploaded up;
-  for (const Run& run : forest.runs) {
-    runs.emplace_back(run.first, up.view.trees);
-    up.view.trees += run.size();
-  }
+  for (const Run& run : forest.runs)
+    for (std::uint32_t site = run.first; site < run.last; ++site) sites.push_back(site);
   up.rows = gl::make_buffer(std::as_bytes(std::span(forest.rows)));
-  up.runs = gl::make_buffer(std::as_bytes(std::span(runs)));
-  up.view.buffer = up.runs.name();
-  up.view.runs = static_cast<std::uint32_t>(runs.size());
+  up.sites = gl::make_buffer(std::as_bytes(std::span(sites)));
+  up.view.buffer = up.sites.name();
+  up.view.trees = static_cast<std::uint32_t>(sites.size());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kBlockRowsBinding, up.rows.name());
   return up;
+}
+
+std::uint32_t items_of(const glsl::Totals& totals) {
+  return totals.all_trees * glsl::kFixedItems + totals.cells_before + totals.cells;
 }
 
 /// The primitives that the groups of a list name, each as (item, rank), in order.
@@ -134,7 +136,7 @@ TEST_CASE("the GPU chooses what its twin on the CPU does to the bit") {
   REQUIRE(up.view.trees == expected.trees.size());
   CHECK(same_bits(read<TreeRecord>(extractor.trees, expected.trees.size()), expected.trees));
   const auto totals = read<glsl::Totals>(extractor.totals, 1).front();
-  REQUIRE(totals.items == expected.items.size());
+  REQUIRE(items_of(totals) == expected.items.size());
   const auto items = read<Item>(extractor.items, expected.items.size());
   CHECK(same_bits(items, expected.items));
 
@@ -145,7 +147,8 @@ TEST_CASE("the GPU chooses what its twin on the CPU does to the bit") {
   CHECK(shown.lines == counted.lines);
   CHECK(shown.points == counted.points);
   const auto groups = read<glm::uvec2>(extractor.groups, extractor.capacity.quad_groups + totals.groups.y);
-  const auto quads = expand(groups, 0, totals.groups.x, glsl::kQuadGroup, items);
+  const auto quads =
+      expand(groups, 0, std::min(totals.groups.x, extractor.capacity.quad_groups), glsl::kQuadGroup, items);
   std::vector<glm::uvec2> wanted;
   for (std::uint32_t i = 0; i < items.size(); ++i)
     for (std::uint32_t rank = 0; items[i].kind <= glsl::kLeaves && rank < items[i].count; ++rank)
@@ -158,7 +161,7 @@ TEST_CASE("the GPU chooses what its twin on the CPU does to the bit") {
 namespace {
 
 /// A forest that wants more than these limits of every list, near and far.
-constexpr ExtractLimits kSmall{.items = 7000, .quads = 30'000, .lines = 3000, .points = 15'000};
+constexpr ExtractLimits kSmall{.cells = 1500, .quads = 30'000, .lines = 3000, .points = 15'000};
 
 std::array<std::size_t, 4> list_ends(const glsl::Capacity& room) {
   return {0, room.quad_groups, room.quad_groups + room.line_groups,
@@ -179,7 +182,7 @@ TEST_CASE("where lists lack room the error rises and nothing is missing and both
   const ExtractLimits plenty;
   for (int list = 0; list < 5; ++list) {
     ExtractLimits limits = list == 4 ? kSmall : plenty;
-    if (list == 0) limits.items = kSmall.items;
+    if (list == 0) limits.cells = kSmall.cells;
     if (list == 1) limits.quads = kSmall.quads;
     if (list == 2) limits.lines = kSmall.lines;
     if (list == 3) limits.points = kSmall.points;
@@ -219,20 +222,22 @@ TEST_CASE("without a budget lists end where their room does and hold what the ot
   const auto of_small = read<glsl::Totals>(small.totals, 1).front(),
              of_large = read<glsl::Totals>(large.totals, 1).front();
   REQUIRE(of_large.missing == glm::uvec4(0));
-  REQUIRE(of_small.items == kSmall.items);
-  CHECK(of_small.missing.x == of_large.items - kSmall.items);
-  CHECK(same_bits(read<Item>(small.items, kSmall.items), read<Item>(large.items, kSmall.items)));
+  REQUIRE(of_small.cells == kSmall.cells);
+  CHECK(of_small.missing.x == of_large.cells - kSmall.cells);
+  const std::uint32_t items = items_of(of_small);
+  CHECK(same_bits(read<Item>(small.items, items), read<Item>(large.items, items)));
   const auto ends = list_ends(small.capacity), whole = list_ends(large.capacity);
   const auto groups = read<glm::uvec2>(small.groups, ends[3]), wanted = read<glm::uvec2>(large.groups, whole[3]);
   for (int list = 0; list < 3; ++list) {
     INFO("list " << list);
-    const auto n = of_small.groups[list];
-    CHECK(n + of_small.missing[list + 1] <= of_large.groups[list]);  // fewer: of items that are missing
+    const auto n = of_small.groups[list] - of_small.missing[list + 1];
+    CHECK(n <= ends[static_cast<std::size_t>(list) + 1] - ends[static_cast<std::size_t>(list)]);
+    CHECK(of_small.groups[list] <= of_large.groups[list]);  // fewer: of cells that are missing
     CHECK(std::equal(groups.begin() + static_cast<std::ptrdiff_t>(ends[static_cast<std::size_t>(list)]),
                      groups.begin() + static_cast<std::ptrdiff_t>(ends[static_cast<std::size_t>(list)] + n),
                      wanted.begin() + static_cast<std::ptrdiff_t>(whole[static_cast<std::size_t>(list)])));
   }
-  CHECK(of_small.groups.x == small.capacity.quad_groups);
+  CHECK(of_small.groups.x - of_small.missing.y == small.capacity.quad_groups);
   CHECK(log.messages().empty());
 }
 
@@ -248,12 +253,13 @@ TEST_CASE("sums of groups end at the largest number instead of beginning again")
   Extractor extractor(forest.sites, {.quads = 4000, .points = 64});
   extract(extractor, store, up.view);
   const auto totals = read<glsl::Totals>(extractor.totals, 1).front();
-  CHECK(totals.groups.x == extractor.capacity.quad_groups);
+  CHECK(totals.groups.x == ~0U);
   CHECK(totals.missing.y > 1U << 31);
-  for (const glm::uvec2& group : read<glm::uvec2>(extractor.groups, totals.groups.x)) CHECK(group.x == 0);
+  for (const glm::uvec2& group : read<glm::uvec2>(extractor.groups, extractor.capacity.quad_groups))
+    CHECK(group.x == 0);
 }
 
-TEST_CASE("node after node the lists are what they are all at once") {
+TEST_CASE("node after node the lists hold what they do all at once") {
   const gl::HeadlessContext context;
   PlantStore store(plants());
   set_details(store, make_details(plants(), Law::ours));
@@ -264,14 +270,22 @@ TEST_CASE("node after node the lists are what they are all at once") {
   extract_by_node(by_node, store, up.view, forest.runs);
   const auto of_all = read<glsl::Totals>(at_once.totals, 1).front(),
              of_nodes = read<glsl::Totals>(by_node.totals, 1).front();
-  REQUIRE(of_nodes.items_before + of_nodes.items == of_all.items);
+  REQUIRE(items_of(of_nodes) == items_of(of_all));
   REQUIRE(of_nodes.groups == of_all.groups);
   CHECK(of_nodes.shown == of_all.shown);
   CHECK(same_bits(read<TreeRecord>(by_node.trees, up.view.trees), read<TreeRecord>(at_once.trees, up.view.trees)));
-  CHECK(same_bits(read<Item>(by_node.items, of_all.items), read<Item>(at_once.items, of_all.items)));
+  const std::uint32_t items = items_of(of_all);
+  CHECK(same_bits(read<Item>(by_node.items, items), read<Item>(at_once.items, items)));
   const auto& room = at_once.capacity;
-  const std::size_t groups = std::size_t{room.quad_groups} + room.line_groups + room.point_groups;
-  CHECK(same_bits(read<glm::uvec2>(by_node.groups, groups), read<glm::uvec2>(at_once.groups, groups)));
+  const auto ends = list_ends(room);
+  auto groups = read<glm::uvec2>(by_node.groups, ends[3]), wanted = read<glm::uvec2>(at_once.groups, ends[3]);
+  const auto before = [](const glm::uvec2& a, const glm::uvec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
+  for (std::size_t list = 0; list < 3; ++list) {  // bark and leaves share one: node by node, or all bark first
+    for (auto* all : {&groups, &wanted})
+      std::sort(all->begin() + static_cast<std::ptrdiff_t>(ends[list]),
+                all->begin() + static_cast<std::ptrdiff_t>(ends[list + 1]), before);
+  }
+  CHECK(same_bits(groups, wanted));
   const std::size_t words = static_cast<std::size_t>(command_places(room).points) / 4 + 4;
   CHECK(same_bits(read<GLuint>(by_node.commands, words), read<GLuint>(at_once.commands, words)));
 }
