@@ -33,6 +33,7 @@ inline void delete_framebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
 inline void delete_renderbuffer(GLuint name) { glDeleteRenderbuffers(1, &name); }
 inline void delete_program(GLuint name) { glDeleteProgram(name); }
 inline void delete_shader(GLuint name) { glDeleteShader(name); }
+inline void delete_query(GLuint name) { glDeleteQueries(1, &name); }
 
 using Buffer = Handle<delete_buffer>;
 using VertexArray = Handle<delete_vertex_array>;
@@ -41,5 +42,6 @@ using Framebuffer = Handle<delete_framebuffer>;
 using Renderbuffer = Handle<delete_renderbuffer>;
 using Program = Handle<delete_program>;
 using Shader = Handle<delete_shader>;
+using Query = Handle<delete_query>;
 
 }  // namespace manzana::gl

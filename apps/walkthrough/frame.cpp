@@ -2,9 +2,11 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "apps/walkthrough/options.h"
+#include "gl/context.h"
 
 namespace manzana::walkthrough {
 namespace {
@@ -30,6 +32,18 @@ std::uint64_t blocks_in(std::span<const culling::LeafRun> runs) {
   return blocks;
 }
 
+/// Its own clock tells nothing of a software renderer: the frame's does, once it is done.
+bool must_wait(const Stage& stage) { return stage.tree_ms > 0 && gl::software_renderer(); }
+
+/// Of two budgets the stricter.
+draw::DrawOptions options_within_budget(const Stage& stage) {
+  draw::DrawOptions options = stage.options;
+  if (stage.tree_ms > 0)
+    options.tree_vertices = options.tree_vertices > 0 ? std::min(options.tree_vertices, stage.time_budget.vertices)
+                                                      : stage.time_budget.vertices;
+  return options;
+}
+
 }  // namespace
 
 Stage::Stage(const Scene& city, std::span<const foliage::PreparedPlant> plants, const draw::Quality& quality,
@@ -48,6 +62,7 @@ void apply(const Options& options, Stage& stage) {
   stage.structure = options.structure;
   stage.options.tree_error_px = options.tree_error_px;
   stage.options.tree_vertices = options.tree_vertices;
+  stage.tree_ms = options.tree_ms;
   stage.options.tree_law = options.tree_law;
   stage.options.trees_by_node = options.trees_by_node;
   stage.options.wind = options.wind ? 1 : 0;
@@ -62,8 +77,10 @@ FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {
   find_cars(stage.scene, ticks(seconds), stage.sets);
   row.update_us = watch.lap() * 1e6;
   stage.options.seconds = seconds;
-  const draw::FrameCounts counts = stage.renderer.draw(stage.scene, stage.sets, view, stage.options);
-  if (stage.wait) glFinish();
+  stage.timer.begin();
+  const draw::FrameCounts counts = stage.renderer.draw(stage.scene, stage.sets, view, options_within_budget(stage));
+  stage.timer.end();
+  if (stage.wait || must_wait(stage)) glFinish();
   row.draw_ms = watch.lap() * 1e3;
   row.blocks_visible = blocks_in(stage.sets.blocks());
   row.buildings_visible = counts.buildings;
@@ -76,6 +93,9 @@ FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {
   row.tree_error_px = counts.tree_error_px;
   row.tree_law = counts.tree_law;
   row.trees_missing = trees.missing;
+  if (stage.tree_ms > 0)
+    follow(stage.time_budget, gl::software_renderer() ? row.frame_ms() : stage.timer.newest_ms(), stage.tree_ms,
+           static_cast<double>(4 * (trees.bark + trees.leaves + trees.lines) + trees.points));
   return row;
 }
 

@@ -6,6 +6,8 @@
 #include <span>
 
 #include "apps/walkthrough/frame_log.h"
+#include "foliage/time_budget.h"
+#include "gl/frame_timer.h"
 #include "scenegraph/draw/renderer.h"
 #include "scenegraph/visible.h"
 
@@ -25,6 +27,9 @@ struct Stage {
   Structure structure = Structure::bqr;
   draw::DrawOptions options;  ///< with options.frozen set, that view culls and `view` looks at it from outside
   bool wait = true;           ///< for the device at the end, so that draw_ms says all
+  double tree_ms = 0;         ///< of a frame, that trees' vertices are kept to; 0: no limit
+  foliage::TimeBudget time_budget;
+  gl::FrameTimer timer;  ///< of the GPU; where there is none, frames are waited for and timed as a whole
 };
 
 struct Options;

@@ -91,6 +91,10 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
   app.add_option("--tree-vertices", options.tree_vertices, "budget of a frame that may raise the error; 0: none")
       ->check(within(0, 1e9))
       ->capture_default_str();
+  app.add_option("--tree-ms", options.tree_ms,
+                 "milliseconds of a whole frame; trees take what the rest leaves, and the error may rise; 0: no limit")
+      ->check(within(0, 1e6))
+      ->capture_default_str();
   app.add_option("--tree-law", texts.tree_law, "how trees lose detail: ours, gumbau, or full for all of it")
       ->check(CLI::IsMember({"ours", "gumbau", "full"}))
       ->capture_default_str();

@@ -31,7 +31,7 @@ struct Options {
   std::uint64_t seed = 1;
   int cars = -1;  ///< -1: by the length of the streets
   std::vector<PlantFile> plants;
-  double tree_error_px = 1, tree_vertices = 0;
+  double tree_error_px = 1, tree_vertices = 0, tree_ms = 0;
   foliage::Law tree_law = foliage::Law::ours;
   bool trees_by_node = false, wind = true;
 };

@@ -63,7 +63,8 @@ void draw_times(const PanelState& panel, const Stage& stage) {
   if (s.trees_missing > 0) ImGui::Text("%s", kTreesMissing);
 }
 
-void draw_tree_detail(draw::DrawOptions& options) {
+void draw_tree_detail(Stage& stage) {
+  draw::DrawOptions& options = stage.options;
   auto error = static_cast<float>(options.tree_error_px), thousands = static_cast<float>(options.tree_vertices / 1000);
   if (ImGui::SliderFloat("tree error", &error, 0.1F, 32, "%.2f px", ImGuiSliderFlags_Logarithmic))
     options.tree_error_px = static_cast<double>(error);
@@ -72,6 +73,10 @@ void draw_tree_detail(draw::DrawOptions& options) {
   if (ImGui::SliderFloat("tree budget", &thousands, 0, 10000, thousands > 0 ? "%.0f k vertices" : "none",
                          ImGuiSliderFlags_Logarithmic))
     options.tree_vertices = std::floor(static_cast<double>(thousands)) * 1000;
+  auto ms = static_cast<float>(stage.tree_ms);
+  if (ImGui::SliderFloat("frame budget", &ms, 0, 200, ms > 0 ? "%.0f ms" : "none", ImGuiSliderFlags_Logarithmic))
+    stage.tree_ms = std::floor(static_cast<double>(ms));
+  if (stage.tree_ms > 0) ImGui::Text("so trees have %.0f k vertices", stage.time_budget.vertices / 1000);
 }
 
 void draw_layers(draw::Layers& layers) {
@@ -125,7 +130,7 @@ void draw_panel(PanelState& panel, Stage& stage, const Camera& camera) {
     if (ImGui::Checkbox("BqR-Tree", &tree)) stage.structure = tree ? Structure::bqr : Structure::none;
     ImGui::SameLine(130);
     ImGui::Checkbox("wait for the screen", &panel.vsync);
-    draw_tree_detail(stage.options);
+    draw_tree_detail(stage);
     draw_light(panel, stage.options);
     ImGui::Text("at %.0f, %.0f, %.1f m up; flying %.0f m/s", camera.eye.x, camera.eye.y, camera.eye.z,
                 camera.fly_speed);

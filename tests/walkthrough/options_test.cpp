@@ -67,16 +67,19 @@ TEST_CASE("options: how much of trees is drawn") {
   REQUIRE(plain.options);
   CHECK(plain.options->tree_law == foliage::Law::ours);
   CHECK(plain.options->wind);
-  const Parsed parsed = parse(
-      {"--tree-error", "2.5", "--tree-vertices", "300000", "--tree-law", "gumbau", "--dispatch", "node", "--no-wind"});
+  CHECK(plain.options->tree_ms == 0);
+  const Parsed parsed = parse({"--tree-error", "2.5", "--tree-vertices", "300000", "--tree-ms", "12.5", "--tree-law",
+                               "gumbau", "--dispatch", "node", "--no-wind"});
   REQUIRE(parsed.options);
   const Options& o = *parsed.options;
   CHECK(o.tree_error_px == 2.5);
   CHECK(o.tree_vertices == 300000);
+  CHECK(o.tree_ms == 12.5);
   CHECK(o.tree_law == foliage::Law::prune);
   CHECK(o.trees_by_node);
   CHECK_FALSE(o.wind);
   for (const char* wrong : {"0", "-1", "nan", "much"}) CHECK(parse({"--tree-error", wrong}).exit_code == 2);
+  for (const char* wrong : {"-1", "nan", "soon"}) CHECK(parse({"--tree-ms", wrong}).exit_code == 2);
   CHECK(parse({"--tree-law", "none"}).exit_code == 2);
 }
 
