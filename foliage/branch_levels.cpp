@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "foliage/branch_order.h"
+#include "foliage/line_levels.h"
 #include "foliage/plant_quads.h"
 #include "foliage/random.h"
 #include "foliage/reduce_branch.h"
@@ -23,11 +24,14 @@ class Builder {
 
   void run() {
     ready_.bark.clear(), ready_.lines.clear(), ready_.branch_levels.clear(), ready_.branch_steps.clear();
+    ready_.coarse_lines.clear(), ready_.line_levels.clear();
     for (const Branch& branch : plant_.branches) shapes_.push_back(branch_shape(plant_, branch));
     order_ = importance_order(plant_, shapes_, options_.branch_order);
     choose_sizes();
     for (std::size_t l = 0; l < sizes_.size(); ++l) shuffle(next_size(l), sizes_[l]);
     add_lines();
+    ready_.line_firsts = first_lines_;
+    add_line_levels(plant_, shapes_, order_, ready_);
     for (std::size_t l = 0; l < sizes_.size(); ++l) add_level(l);
   }
 
@@ -84,7 +88,8 @@ class Builder {
     level.quads.first = size_of(ready_.bark);
     level.steps.first = size_of(ready_.branch_steps);
     for (std::uint32_t i = 0; i <= sizes_[l]; ++i) {
-      if (i >= next_size(l)) ready_.branch_steps.push_back({size_of(ready_.bark) - level.quads.first, first_lines_[i]});
+      if (i >= next_size(l))
+        ready_.branch_steps.push_back({size_of(ready_.bark) - level.quads.first, first_lines_[i], i});
       if (i < sizes_[l]) add_quads_of(order_[i], level);
     }
     level.quads.last = size_of(ready_.bark);
@@ -119,7 +124,7 @@ void prepare_branches(const Plant& plant, const PrepareOptions& options, Prepare
 BranchStep branch_step(const PreparedPlant& plant, std::size_t level, float t) {
   const BranchLevel& pair = plant.branch_levels[level];
   const Run& steps = pair.steps;
-  if (steps.size() == 0) return {pair.quads.size(), pair.first_line};
+  if (steps.size() == 0) return {pair.quads.size(), pair.first_line, pair.branches};
   const float part = t > 0 ? std::min(t, 1.0F) : 0;
   return plant.branch_steps[steps.last - 1 - static_cast<std::uint32_t>(part * static_cast<float>(steps.size() - 1))];
 }

@@ -24,6 +24,12 @@ double leaf_quads(const PlantTable& table, const PlantHead& plant) {
                          [](double sum, const CellHead& cell) { return sum + cell.count; });
 }
 
+double lines_from(const PlantTable& table, const PlantHead& plant, std::uint32_t level, std::uint32_t branch) {
+  const std::size_t row =
+      plant.first_line_row + std::size_t{std::min(level, plant.line_levels - 1)} * (plant.branches + 1);
+  return table.steps[row + plant.branches].x - table.steps[row + branch].x;
+}
+
 /// The mesh and the lines of a level, as the shader's branch_step() has them.
 double branch_quads(const PlantTable& table, const PlantHead& plant, const Detail& d) {
   if (plant.bark_levels == 0) return 0;
@@ -32,7 +38,10 @@ double branch_quads(const PlantTable& table, const PlantHead& plant, const Detai
   const float gone = std::min(d.bark - static_cast<float>(level), 1.0F) * static_cast<float>(last);
   const glm::uvec2 step =
       table.steps[plant.first_step + plant.bark[level].y + last - std::min(static_cast<std::uint32_t>(gone), last)];
-  return step.x + std::max(0.0, static_cast<double>(d.lines) - step.y);
+  const auto fine = static_cast<std::uint32_t>(d.line_level);
+  const double lines = std::lerp(lines_from(table, plant, fine, step.y), lines_from(table, plant, fine + 1, step.y),
+                                 static_cast<double>(d.line_level) - fine);
+  return step.x + static_cast<double>(d.lines) * lines;
 }
 
 std::uint32_t bits_of(double error2) {

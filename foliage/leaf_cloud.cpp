@@ -45,7 +45,9 @@ class LeafCloud {
     shuffle();
     make_points();
     make_lines();
-    ready_.leaf_scale = fit_leaf_scale(ready_).scale;
+    const LeafScaleFit fit = fit_leaf_scale(ready_);
+    ready_.leaf_scale = fit.scale;
+    ready_.cover_m2 = fit.cover_m2;
     fit_points();
     fit_point_shades(ready_);
   }
@@ -142,6 +144,8 @@ class LeafCloud {
       level.area *= factors[i];
       for (std::uint32_t p = level.points.first; p < level.points.last; ++p) ready_.points[p].area *= factors[i];
     }
+    const auto between = fit_point_mixtures(ready_);
+    for (std::size_t i = 0; i < between.size(); ++i) ready_.point_levels[i].between = between[i];
   }
 
   /// Where most of the leaves' area is of thin ones.

@@ -31,4 +31,7 @@ float linear_of_srgb(std::uint8_t value);  ///< [0, 1]
 std::uint8_t srgb_of_linear(float value);  ///< clamped
 Vec3 linear_of_rgb(std::uint32_t rgb);     ///< of 0xrrggbb
 
+/// Of linear light.  [ITU-R BT.709]
+inline float luminance(const Vec3& c) { return 0.2126F * c.x + 0.7152F * c.y + 0.0722F * c.z; }
+
 }  // namespace manzana::foliage

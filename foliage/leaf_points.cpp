@@ -6,6 +6,7 @@
 
 #include "foliage/leaf_image.h"
 #include "foliage/leaf_quads.h"
+#include "foliage/point_shade.h"
 #include "foliage/poisson_disk.h"
 #include "foliage/texel_mean.h"
 
@@ -67,8 +68,8 @@ Vec3 unpacked_normal(std::uint32_t packed) {
   return {part(0), part(10), part(20)};
 }
 
-std::uint32_t packed_colour(const Vec3& linear) {
-  std::uint32_t out = 0xff000000U;
+std::uint32_t packed_colour(const Vec3& linear, float contrast) {
+  auto out = static_cast<std::uint32_t>(std::lround(contrast * 255)) << 24;
   for (int k = 0; k < 3; ++k) out |= std::uint32_t{srgb_of_linear(linear[k])} << (8 * k);
   return out;
 }
@@ -102,9 +103,11 @@ Piece neighbourhood(const Piece& t, const Vec2d& place, double shrink) {
 }  // namespace
 
 LeafPoint packed(const CloudPoint& point) {
+  const float mean = luminance(point.colour) * arriving(point.shade);
+  const float contrast = mean > 0 ? std::sqrt(std::clamp(point.square / (mean * mean) - 1, 0.0F, 1.0F)) : 0;
   const float length = glm::length(point.normal);
   const Vec3 normal = length > 1e-6F ? point.normal / length : Vec3(0, 0, 1);
-  return {point.position, point.area, pack_normal(normal) | (point.level << 30), packed_colour(point.colour),
+  return {point.position, point.area, pack_normal(normal) | (point.level << 30), packed_colour(point.colour, contrast),
           point.shade};
 }
 
@@ -123,6 +126,8 @@ struct QuadPoints::Table {
     CloudPoint point = point_at(quad, piece[0] * m.middle.x + piece[1] * m.middle.y + piece[2] * m.middle.z, organ);
     point.area = static_cast<float>(0.5 * area_of(quad, piece) * m.alpha);
     point.colour = Vec3(m.colour);
+    const float light = arriving(point.shade);
+    point.square = static_cast<float>(m.square) * light * light;
     return point;
   }
 

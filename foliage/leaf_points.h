@@ -19,6 +19,7 @@ struct CloudPoint {
   Vec3 normal{0};  ///< of any length
   float shade = 1;
   Vec3 colour{0};           ///< linear
+  float square = 0;         ///< mean of the squares of luminance() times arriving(shade)
   std::uint32_t level = 0;  ///< of the branch, at most 3
   Organ organ = Organ::leaf;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <span>
 
 #include "foliage/lod_factor.h"
 #include "foliage/random.h"
@@ -17,10 +18,14 @@ constexpr std::size_t kViews = LeafScaleFit::kViews;
 constexpr int kPixels = 256;
 constexpr float kMargin = 1.1F;  // leaves grow out of the crown
 
-/// From half around, since a silhouette is the same from behind; by turns level and from above.
-Vec3d view_direction(std::size_t view) {
+// How steeply views look down, by turns. Points are seen from far away, so from higher as well.
+constexpr std::array kLeafViews{0.05, 0.6};
+constexpr std::array kPointViews{0.03, 0.36, 1.0};
+
+/// From half around, since a silhouette is the same from behind.
+Vec3d view_direction(std::size_t view, std::span<const double> rises) {
   const double angle = 3.14159265358979 * static_cast<double>(view) / kViews + 0.1;
-  return glm::normalize(Vec3d(std::cos(angle), std::sin(angle), view % 2 == 0 ? 0.05 : 0.6));
+  return glm::normalize(Vec3d(std::cos(angle), std::sin(angle), rises[view % rises.size()]));
 }
 
 /// With room for a block past the last pixel.
@@ -32,12 +37,18 @@ bool all_hit(const std::uint8_t* first) {
   return eight == 0x0101010101010101U;
 }
 
+/// Points drawn as squares of so many times their areas.
+struct Squares {
+  Run points;
+  float factor = 1;
+};
+
 /// The plant's silhouettes from all views.
 class Silhouettes {
  public:
-  explicit Silhouettes(const PreparedPlant& plant) : plant_(plant), holes_(plant.leaf_image) {
+  Silhouettes(const PreparedPlant& plant, std::span<const double> rises) : plant_(plant), holes_(plant.leaf_image) {
     for (std::size_t v = 0; v < kViews; ++v) {
-      views_.push_back(view_of(plant, view_direction(v), kPixels, kMargin));
+      views_.push_back(view_of(plant, view_direction(v, rises), kPixels, kMargin));
       bark_.emplace_back(std::size_t{kPixels} * kPixels + kBlock, std::uint8_t{0});
     }
     tbb::parallel_for(std::size_t{0}, kViews, [&](std::size_t v) {
@@ -45,6 +56,8 @@ class Silhouettes {
       for (std::uint32_t q = bark.first; q < bark.last; ++q) draw(plant.bark[q], 1, false, views_[v], bark_[v]);
     });
   }
+
+  float pixel_m2() const { return 1 / (views_[0].pixels_of(1) * views_[0].pixels_of(1)); }
 
   using Coverage = std::array<std::size_t, kViews>;  // pixels
 
@@ -58,10 +71,11 @@ class Silhouettes {
     });
   }
 
-  /// Of points drawn as squares, `factor` times their areas.
-  Coverage point_coverage(const Run& points, float factor) const {
+  Coverage point_coverage(std::span<const Squares> all) const {
     return counted([&](std::size_t v, Hits& hits) {
-      for (std::uint32_t p = points.first; p < points.last; ++p) draw(plant_.points[p], factor, views_[v], hits);
+      for (const Squares& squares : all)
+        for (std::uint32_t p = squares.points.first; p < squares.points.last; ++p)
+          draw(plant_.points[p], squares.factor, views_[v], hits);
     });
   }
 
@@ -137,14 +151,25 @@ float root(float least, float most, Function&& function) {
   return static_cast<float>(std::exp2(low + (high - low) * -below / (above - below)));
 }
 
+/// So far from a level to the next, as foliage/shaders/select.glsl mixes them.
+std::array<Squares, 2> mixture(const PreparedPlant& plant, std::size_t level, float x, float factor) {
+  const Run &fine = plant.point_levels[level].points, &coarse = plant.point_levels[level + 1].points;
+  const auto n = static_cast<float>(fine.size()), m = static_cast<float>(coarse.size()), shown = n + x * (m - n);
+  const auto part = [](const Run& run, float count) {
+    return Run{run.first, run.first + static_cast<std::uint32_t>(std::lround(count))};
+  };
+  return {{{part(fine, (1 - x) * n), factor * n / shown}, {part(coarse, x * m), factor * m / shown}}};
+}
+
 }  // namespace
 
 LeafScaleFit fit_leaf_scale(const PreparedPlant& plant) {
   LeafScaleFit out;
   out.scale.fill(1);
   if (plant.leaves.empty()) return out;
-  const Silhouettes pictures(plant);
+  const Silhouettes pictures(plant, kLeafViews);
   const Silhouettes::Coverage full = pictures.coverage(1, 1);
+  out.cover_m2 = static_cast<float>(sum(full) / kViews) * pictures.pixel_m2();
   for (std::size_t i = 1; i < kLeafScales; ++i) {
     const double u = std::exp2(-0.5 * static_cast<double>(i));
     out.scale[i] = root(out.scale[i - 1], 16, [&](float s) { return sum(pictures.coverage(u, s)) / sum(full) - 1; });
@@ -157,12 +182,28 @@ LeafScaleFit fit_leaf_scale(const PreparedPlant& plant) {
 
 std::vector<float> fit_point_areas(const PreparedPlant& plant) {
   if (plant.leaves.empty()) return {};
-  const Silhouettes pictures(plant);
+  const Silhouettes pictures(plant, kPointViews);
   const double full = sum(pictures.coverage(1, 1));
   std::vector<float> factors;
   for (const PointLevel& level : plant.point_levels)
-    factors.push_back(
-        root(0.125F, 8, [&](float f) { return sum(pictures.point_coverage(level.points, f)) / full - 1; }));
+    factors.push_back(root(0.125F, 8, [&](float f) {
+      return sum(pictures.point_coverage(std::array{Squares{level.points, f}})) / full - 1;
+    }));
+  return factors;
+}
+
+std::vector<std::array<float, 3>> fit_point_mixtures(const PreparedPlant& plant) {
+  if (plant.leaves.empty()) return {};
+  const Silhouettes pictures(plant, kPointViews);
+  const double full = sum(pictures.coverage(1, 1));
+  std::vector<std::array<float, 3>> factors;
+  for (std::size_t i = 0; i + 1 < plant.point_levels.size(); ++i) {
+    std::array<float, 3>& between = factors.emplace_back();
+    for (std::size_t quarter = 0; quarter < between.size(); ++quarter)
+      between[quarter] = root(0.5F, 2, [&](float f) {
+        return sum(pictures.point_coverage(mixture(plant, i, 0.25F * static_cast<float>(quarter + 1), f))) / full - 1;
+      });
+  }
   return factors;
 }
 

@@ -12,6 +12,7 @@ inline constexpr std::size_t kLeafScales = 17;
 struct LeafScaleFit {
   std::array<float, kLeafScales> scale{};  ///< linear, from 1 on, not falling
   static constexpr std::size_t kViews = 8;
+  float cover_m2 = 0;                                             ///< of the whole plant, mean over the views
   std::array<std::array<float, kViews>, kLeafScales> residual{};  ///< of each view's coverage: 0.01 is 1 % too much
 };
 
@@ -24,6 +25,9 @@ LeafScaleFit fit_leaf_scale(const PreparedPlant& plant);
 /// leaves' area is right only for points far apart: at the finest level points of one leaf hide each other, and merged
 /// ones no longer hide each other as the leaves did. In [1/8, 8].
 std::vector<float> fit_point_areas(const PreparedPlant& plant);
+
+/// PointLevel::between for each level but the last, when its areas are fitted. In [1/2, 2].
+std::vector<std::array<float, 3>> fit_point_mixtures(const PreparedPlant& plant);
 
 /// At any u in (0, 1], between the fitted ones by the logarithm of u; 1 from u = 1 on, the last below the last.
 float leaf_scale_at(const std::array<float, kLeafScales>& scale, float u);

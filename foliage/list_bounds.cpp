@@ -32,16 +32,34 @@ struct BranchSteps {
   }
 };
 
-ListSizes branches_between(const BranchSteps& branches, const Detail& a, const Detail& b) {
+double lines_at(const PlantTable& table, const PlantHead& plant, std::uint32_t level, std::uint32_t branches) {
+  const std::uint32_t row = plant.first_line_row + level * (plant.branches + 1);
+  return table.steps[row + plant.branches].x - table.steps[row + branches].x;
+}
+
+/// Of the levels that these details may choose, one more by chance.
+double most_lines(const PlantTable& table, const PlantHead& plant, const Detail& a, const Detail& b,
+                  std::uint32_t branches) {
+  const auto [low, high] = std::minmax({a.line_level, b.line_level});
+  const std::uint32_t coarsest = plant.line_levels - 1;
+  double most = 0;
+  for (auto l = std::min(static_cast<std::uint32_t>(low), coarsest);
+       l <= std::min(static_cast<std::uint32_t>(high) + 1, coarsest); ++l)
+    most = std::max(most, lines_at(table, plant, l, branches));
+  return most * static_cast<double>(std::max(a.lines, b.lines));
+}
+
+ListSizes branches_between(const PlantTable& table, const PlantHead& plant, const BranchSteps& branches,
+                           const Detail& a, const Detail& b) {
   if (branches.steps.empty()) return ListSizes(0);
   const auto [from, to] = std::minmax({branches.at(a.bark), branches.at(b.bark)});
-  std::uint32_t quads = 0, first_line = ~0U;
+  std::uint32_t quads = 0, meshes = ~0U;
   for (std::size_t i = from; i <= to; ++i) {
     quads = std::max(quads, branches.steps[i].x);
-    first_line = std::min(first_line, branches.steps[i].y);
+    meshes = std::min(meshes, branches.steps[i].y);
   }
-  const double lines = static_cast<double>(std::max(a.lines, b.lines)) - first_line;
-  return {0, groups(quads, glsl::kQuadGroup), groups(std::max(0.0, lines), glsl::kLineGroup), 0};
+  const double lines = most_lines(table, plant, a, b, meshes);
+  return {0, groups(quads, glsl::kQuadGroup), groups(lines, glsl::kLineGroup), 0};
 }
 
 /// How many of the coarser of two levels are shown at most: all, where the levels change in between.
@@ -66,7 +84,7 @@ void add_others(const PlantTable& table, const PlantHead& plant, const Detail* r
   const BranchSteps branches(table, plant);
   for (std::size_t row = 0; row < glsl::kDetailSteps; ++row) {
     const Detail &a = rows[row], &b = rows[std::min<std::size_t>(row + 1, glsl::kDetailSteps - 1)];
-    out[row] = branches_between(branches, a, b) + points_between(plant, a, b);
+    out[row] = branches_between(table, plant, branches, a, b) + points_between(plant, a, b);
   }
 }
 

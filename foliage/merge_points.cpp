@@ -29,7 +29,7 @@ std::vector<Vec3> positions_of(const PointCloud& cloud) {
 CloudPoint mean_of(const PointCloud& cloud, std::span<const std::uint32_t> rows) {
   CloudPoint sum = cloud[rows[0]];
   sum.position = sum.normal = sum.colour = Vec3(0);
-  sum.area = sum.shade = 0;
+  sum.area = sum.shade = sum.square = 0;
   for (const std::uint32_t i : rows) {
     const CloudPoint& p = cloud[i];
     sum.area += p.area;
@@ -37,9 +37,11 @@ CloudPoint mean_of(const PointCloud& cloud, std::span<const std::uint32_t> rows)
     sum.normal += p.normal * p.area;
     sum.colour += p.colour * p.area;
     sum.shade += p.shade * p.area;
+    sum.square += p.square * p.area;
   }
   for (Vec3* v : {&sum.position, &sum.normal, &sum.colour}) *v /= sum.area;
   sum.shade /= sum.area;
+  sum.square /= sum.area;
   return sum;
 }
 
@@ -110,8 +112,8 @@ PointCloud merged(const PointCloud& cloud, float large) {
 }
 
 std::vector<PointCloud> merged_levels(const PointCloud& finest) {
-  constexpr std::size_t kFew = 64;
-  constexpr std::size_t kMostLevels = 12;
+  constexpr std::size_t kFew = 8;
+  constexpr std::size_t kMostLevels = 11;
   PointCloud leaves, others;
   for (const CloudPoint& p : finest)
     if (p.area > 0) (p.organ == Organ::leaf ? leaves : others).push_back(p);

@@ -5,8 +5,12 @@
 
 namespace manzana::foliage {
 
-/// Multiplies the shades of each level's points, so that the squares of what is seen of them from six sides have the
-/// mean that those of the leaves have: sunlight goes by the square. After the areas are fitted (leaf_scale.h).
+/// How bright a leaf of this shade is, about as a host lights it: sun and sky.
+inline float arriving(float shade) { return 0.25F + 0.3F * shade + 0.45F * shade * shade; }
+float shade_of(float arriving);  ///< the other way; 0 or more
+
+/// Changes the shades of each level's points, so that what is seen of them from six sides is as bright on film as the
+/// leaves are: film shows dark things darker. After the areas are fitted (leaf_scale.h).
 void fit_point_shades(PreparedPlant& plant);
 
 }  // namespace manzana::foliage

@@ -2,6 +2,7 @@
 
 #include "foliage/branch_levels.h"
 #include "foliage/cell_visibility.h"
+#include "foliage/fill_colour.h"
 #include "foliage/leaf_cloud.h"
 
 namespace manzana::foliage {
@@ -22,6 +23,7 @@ PreparedPlant prepare(const Plant& plant, const PrepareOptions& options) {
   prepare_branches(plant, options, ready);
   tell(0.2);
   prepare_leaves(plant, options, ready);
+  fill_unused(ready.leaf_image, ready.leaves);
   tell(0.6);
   if (options.visibility_side > 0 && !ready.cells.empty()) bake_visibility(ready, {.side = options.visibility_side});
   tell(1);

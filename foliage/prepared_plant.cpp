@@ -63,8 +63,26 @@ void check_branches(const PreparedPlant& plant) {
   }
   for (std::size_t i = 0; i < plant.branch_steps.size(); ++i) {
     const BranchStep& step = plant.branch_steps[i];
-    if (step.quads > plant.bark.size() || step.first_line > plant.lines.size())
+    if (step.quads > plant.bark.size() || step.first_line > plant.lines.size() ||
+        step.branches > plant.branch_levels.front().branches)
       fail("branch step", i, "leaves its lists");
+  }
+}
+
+void check_line_levels(const PreparedPlant& plant) {
+  check_numbers("coarse line", plant.coarse_lines);
+  for (std::size_t i = 0; i < plant.line_levels.size(); ++i) {
+    check_run("line level", i, plant.line_levels[i].lines, plant.coarse_lines.size());
+    if (!sane(plant.line_levels[i].error_m)) fail("line level", i, "is not finite or out of range");
+  }
+  if (plant.branch_levels.empty()) return;
+  const std::size_t rows = std::size_t{plant.branch_levels.front().branches} + 1;
+  if (plant.line_firsts.size() != rows * (1 + plant.line_levels.size())) fail("not every branch has its first line");
+  for (std::size_t i = 0; i < plant.line_firsts.size(); ++i) {
+    const bool begins = i % rows == 0;
+    if (plant.line_firsts[i] > (i < rows ? plant.lines : plant.coarse_lines).size() ||
+        (!begins && plant.line_firsts[i] < plant.line_firsts[i - 1]))
+      fail("first line", i, "leaves its list");
   }
 }
 
@@ -118,6 +136,7 @@ void check(const PreparedPlant& plant) {
   check_image("the leaf image", plant.leaf_image);
   check_image("the bark image", plant.bark_image);
   check_branches(plant);
+  check_line_levels(plant);
   check_numbers("leaf quad", plant.leaves);
   check_shuffled(plant);
   check_cells(plant);

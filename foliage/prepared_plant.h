@@ -33,8 +33,9 @@ struct LeafPoint {
   float area;            ///< m2 that it hides, seen from anywhere: half the triangles' area, times their alpha, times
                          ///< what is fitted for its level so that all of it cover, as squares, what the leaves do
   std::uint32_t normal;  ///< pack_normal, with the branch's level
-  std::uint32_t colour;  ///< sRGB, r lowest: mean of the texels in linear light, weighted by alpha
-  float shade;           ///< in [0, 1]
+  std::uint32_t colour;  ///< sRGB, r lowest: mean of the texels in linear light, weighted by alpha; highest byte: the
+                         ///< standard deviation of what it stands for over the mean, in 255ths
+  float shade;           ///< in [0, 1], or a little more: foliage/point_shade.h
   std::uint32_t unused = 0;
 };
 static_assert(sizeof(LeafPoint) == 32);
@@ -66,6 +67,13 @@ struct BranchLevel {
 /// A pair between two levels: the level's first so many quads, and lines [first_line, end).
 struct BranchStep {
   std::uint32_t quads, first_line;
+  std::uint32_t branches;  ///< in the mesh
+};
+
+/// Lines for all branches where so much may be wrong: fewer of them, some wider. foliage/line_levels.h
+struct LineLevel {
+  Run lines;  ///< of PreparedPlant::coarse_lines
+  float error_m = 0;
 };
 
 /// [Gumbau 2009] Leaves near each other, in an oriented box. Closed; holds every corner of its quads.
@@ -80,6 +88,8 @@ struct LeafCell {
 struct PointLevel {
   Run points;  ///< of PreparedPlant::points, in an order of which every prefix is spread over the crown
   float area;  ///< m2: the sum of its points'
+  std::array<float, 3> between{1, 1, 1};  ///< what areas are multiplied by at a quarter, half and three quarters of the
+                                          ///< way to the next level, to cover the same
 };
 
 /// Directions are those of an octahedral grid over the whole sphere: foliage/octahedral.h.
@@ -97,6 +107,10 @@ struct PreparedPlant {
   std::vector<BranchLevel> branch_levels;  ///< finest first
   std::vector<BranchStep> branch_steps;
   std::vector<LineSegment> lines;  ///< most important branch first; in random order those between two levels
+  std::vector<LineSegment> coarse_lines;
+  std::vector<LineLevel> line_levels;      ///< finest first, each twice the error of the one before
+  std::vector<std::uint32_t> line_firsts;  ///< where the lines begin of branches [b, end): for b of 0 to all, of lines;
+                                           ///< then of coarse_lines, level by level
 
   std::vector<PlantQuad> leaves;
   std::vector<LeafCell> cells;          ///< their runs are in order, apart, and cover all leaves
@@ -108,6 +122,7 @@ struct PreparedPlant {
   std::vector<PointLevel> point_levels;  ///< finest first; level 0: four points from M + 4 (i - L) on are of quad
                                          ///< shuffled[i], i >= L
   std::vector<LineSegment> leaf_lines;   ///< line i is of quad shuffled[i], where leaves are thin and long; else none
+  float cover_m2 = 0;                    ///< that the plant hides, seen from its sides, mean
   float leaf_area_m2 = 0;                ///< of all leaf quads, one side, times alpha
   std::array<float, 17> leaf_scale{};    ///< linear size at u = 2^(-i/2) of the leaves, fitted to coverage
   Visibility visibility;

@@ -40,9 +40,20 @@ struct Twin {
 namespace {
 
 template <class T>
-void fill_levels(const std::vector<T>& levels, const char* what, glm::uvec4* out, glm::uvec4 (*row)(const T&)) {
-  if (levels.size() > glsl::kMostLevels) throw std::invalid_argument(std::string("too many levels of ") + what);
-  std::transform(levels.begin(), levels.end(), out, row);
+void fill_levels(const std::vector<T>& levels, const char* what, std::span<glm::uvec4> out,
+                 glm::uvec4 (*row)(const T&)) {
+  if (levels.size() > out.size()) throw std::invalid_argument(std::string("too many levels of ") + what);
+  std::transform(levels.begin(), levels.end(), out.begin(), row);
+}
+
+/// The finest lines stand before the coarse ones.
+void add_line_rows(const PreparedPlant& plant, PlantHead& head, std::vector<glm::uvec2>& steps) {
+  const auto fine = static_cast<std::uint32_t>(plant.lines.size());
+  head.line_levels = static_cast<std::uint32_t>(1 + plant.line_levels.size());
+  head.branches = plant.branch_levels.empty() ? 0 : plant.branch_levels.front().branches;
+  head.first_line_row = static_cast<std::uint32_t>(steps.size());
+  for (std::size_t i = 0; i < plant.line_firsts.size(); ++i)
+    steps.emplace_back(plant.line_firsts[i] + (i <= head.branches ? 0 : fine), 0);
 }
 
 glsl::Twin twin_of(const PlantTable& table, const TreesSeen& seen) {
@@ -62,7 +73,6 @@ PlantTable make_plant_table(std::span<const PreparedPlant> plants) {
     head.first_point = points;
     head.first_cell = static_cast<std::uint32_t>(table.cells.size());
     head.cells = static_cast<std::uint32_t>(plant.cells.size());
-    head.lines = static_cast<std::uint32_t>(plant.lines.size());
     head.bark_levels = static_cast<std::uint32_t>(plant.branch_levels.size());
     head.point_levels = static_cast<std::uint32_t>(plant.point_levels.size());
     head.first_view = static_cast<std::uint32_t>(table.views.size()) * 4;
@@ -77,7 +87,8 @@ PlantTable make_plant_table(std::span<const PreparedPlant> plants) {
     });
     fill_levels<PointLevel>(plant.point_levels, "points", head.points,
                             [](const PointLevel& l) { return glm::uvec4(l.points.first, l.points.size(), 0, 0); });
-    for (const BranchStep& step : plant.branch_steps) table.steps.emplace_back(step.quads, step.first_line);
+    for (const BranchStep& step : plant.branch_steps) table.steps.emplace_back(step.quads, step.branches);
+    add_line_rows(plant, head, table.steps);
     const auto bark = static_cast<std::uint32_t>(plant.bark.size());
     for (const LeafCell& cell : plant.cells)
       table.cells.push_back({cell.centre, bark + cell.quads.first, cell.quads.size(), 0, 0, 0});
@@ -88,7 +99,7 @@ PlantTable make_plant_table(std::span<const PreparedPlant> plants) {
       table.views.push_back(word);
     }
     quads += bark + static_cast<std::uint32_t>(plant.leaves.size());
-    lines += head.lines;
+    lines += static_cast<std::uint32_t>(plant.lines.size() + plant.coarse_lines.size());
     points += static_cast<std::uint32_t>(plant.points.size());
   }
   return table;

@@ -28,7 +28,7 @@ using glsl::Item;
 using glsl::PlantHead;
 using glsl::TreeRecord;
 using glsl::TreeSite;
-static_assert(sizeof(TreeSite) == 48 && sizeof(Detail) == 48 && sizeof(PlantHead) == 320 && sizeof(CellHead) == 32 &&
+static_assert(sizeof(TreeSite) == 48 && sizeof(Detail) == 48 && sizeof(PlantHead) == 400 && sizeof(CellHead) == 32 &&
               sizeof(TreeRecord) == 64 && sizeof(Item) == 32);
 
 /// All plants of a scene as the buffers have them: heads, cells, branch steps, visibility; and how much each shows, a
@@ -42,7 +42,7 @@ struct PlantTable {
 };
 
 /// Quads are numbered as the buffers hold them: of each plant its bark, then its leaves. Throws std::invalid_argument
-/// for more than kMostLevels levels of branches or points, the finest are kept by then.
+/// for more than kMostLevels levels of branches, kMostPointLevels of points.
 PlantTable make_plant_table(std::span<const PreparedPlant> plants);
 
 /// `height_m` and `crown_radius_m`: what the copy measures. `id` makes what is random about it.

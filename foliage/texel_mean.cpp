@@ -69,7 +69,30 @@ int whole(double v) { return static_cast<int>(std::floor(v)); }
 
 }  // namespace
 
-TexelMeans::TexelMeans(const Image& image) : size_(std::max(image.size, 1)) {
+std::vector<float> smooth_luminance(const Image& image) {
+  constexpr int kBlock = 4;
+  if (image.size == 0) return {1};
+  const auto blocks = static_cast<std::size_t>((image.size + kBlock - 1) / kBlock);
+  const auto block_of = [&](std::size_t i) {
+    const auto size = static_cast<std::size_t>(image.size);
+    return i / size / kBlock * blocks + i % size / kBlock;
+  };
+  std::vector<Vec2> sums(blocks * blocks, Vec2(0));  // luminance times alpha, alpha
+  const std::size_t texels = image.rgba.size() / 4;
+  for (std::size_t i = 0; i < texels; ++i) {
+    const std::uint8_t* t = &image.rgba[4 * i];
+    sums[block_of(i)] += Vec2(luminance({linear_of_srgb(t[0]), linear_of_srgb(t[1]), linear_of_srgb(t[2])}), 1) *
+                         (static_cast<float>(t[3]) / 255);
+  }
+  std::vector<float> out(texels);
+  for (std::size_t i = 0; i < texels; ++i) {
+    const Vec2& sum = sums[block_of(i)];
+    out[i] = sum.y > 0 ? sum.x / sum.y : 0;
+  }
+  return out;
+}
+
+TexelMeans::TexelMeans(const Image& image) : size_(std::max(image.size, 1)), luminance_(smooth_luminance(image)) {
   std::array<double, 256> linear{};
   for (std::size_t i = 0; i < linear.size(); ++i)
     linear[i] = static_cast<double>(linear_of_srgb(static_cast<std::uint8_t>(i)));
@@ -81,16 +104,18 @@ TexelMeans::TexelMeans(const Image& image) : size_(std::max(image.size, 1)) {
   }
 }
 
-const Vec4d& TexelMeans::texel(int x, int y) const {
+std::size_t TexelMeans::place(int x, int y) const {
   const auto repeated = [&](int v) { return static_cast<std::size_t>(((v % size_) + size_) % size_); };
-  return texels_[repeated(y) * static_cast<std::size_t>(size_) + repeated(x)];
+  return repeated(y) * static_cast<std::size_t>(size_) + repeated(x);
 }
 
 struct TexelMeans::Sums {
   Vec4d colour{0};
   Vec2d middle{0};
-  void add(const Vec4d& texel, const Piece& piece) {
+  double square = 0;
+  void add(const Vec4d& texel, double luminance, const Piece& piece) {
     colour += texel * piece.area;
+    square += luminance * luminance * texel.w * piece.area;
     middle += piece.moment * texel.w;
   }
 };
@@ -107,10 +132,10 @@ void TexelMeans::add_row(const std::array<Vec2d, 3>& t, int row, Sums& sums) con
   const auto above = crossing(t, row), below = crossing(t, row + 1.0);
   const double inner_low = std::max(above.first, below.first), inner_high = std::min(above.second, below.second);
   for (int x = whole(low->x), end = whole(high->x); x <= end; ++x) {
-    if (x >= inner_low && x + 1 <= inner_high)
-      sums.add(texel(x, row), {1, {x + 0.5, row + 0.5}});
-    else
-      sums.add(texel(x, row), measured(cut(cut(band, 0, x, 1), 0, x + 1.0, -1)));
+    const bool whole_texel = x >= inner_low && x + 1 <= inner_high;
+    const std::size_t i = place(x, row);
+    sums.add(texels_[i], static_cast<double>(luminance_[i]),
+             whole_texel ? Piece{1, {x + 0.5, row + 0.5}} : measured(cut(cut(band, 0, x, 1), 0, x + 1.0, -1)));
   }
 }
 
@@ -121,8 +146,10 @@ TexelMean TexelMeans::over(const std::array<Vec2d, 3>& uv) const {
   Sums sums;
   if (std::abs(area) < 1e-9) {
     const Vec2d at = (t[0] + t[1] + t[2]) / 3.0;
-    const Vec4d& only = texel(whole(at.x), whole(at.y));
-    return {only.w > 0 ? Vec3d(only) / only.w : Vec3d(0), only.w};
+    const std::size_t i = place(whole(at.x), whole(at.y));
+    const Vec4d& only = texels_[i];
+    const auto light = static_cast<double>(luminance_[i]);
+    return {only.w > 0 ? Vec3d(only) / only.w : Vec3d(0), only.w, light * light};
   }
   const auto [low, high] = std::minmax({t[0].y, t[1].y, t[2].y});
   for (int row = whole(low), end = whole(high); row <= end; ++row) add_row(t, row, sums);
@@ -130,7 +157,10 @@ TexelMean TexelMeans::over(const std::array<Vec2d, 3>& uv) const {
   const Vec2d at = sums.middle / sums.colour.w;
   const double b = std::clamp(doubled_area(t[0], at, t[2]) / area, 0.0, 1.0);
   const double c = std::clamp(doubled_area(t[0], t[1], at) / area, 0.0, 1.0 - b);
-  return {Vec3d(sums.colour) / sums.colour.w, std::min(2 * sums.colour.w / std::abs(area), 1.0), {1 - b - c, b, c}};
+  return {Vec3d(sums.colour) / sums.colour.w,
+          std::min(2 * sums.colour.w / std::abs(area), 1.0),
+          sums.square / sums.colour.w,
+          {1 - b - c, b, c}};
 }
 
 }  // namespace manzana::foliage

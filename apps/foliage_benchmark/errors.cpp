@@ -50,9 +50,11 @@ class Measurement {
   Measurement(Stage& stage, const ErrorPlan& plan, apps::Record<ErrorRow>* record, std::vector<ErrorRow>& rows)
       : stage_(stage), plan_(plan), record_(record), rows_(rows) {}
 
-  void add(std::uint32_t plant, const Camera& camera, double height_px) {
+  /// Another copy from each side, since each has thresholds of its own.
+  void add(std::uint32_t plant, const Camera& camera, int view, double height_px) {
     begin(plant, camera, height_px);
-    if (record_ == nullptr || !take_known()) measure(plant, camera);
+    const auto site = plant * static_cast<std::uint32_t>(plan_.views) + static_cast<std::uint32_t>(view);
+    if (record_ == nullptr || !take_known()) measure({site, site + 1}, camera);
   }
 
  private:
@@ -78,10 +80,9 @@ class Measurement {
     return true;
   }
 
-  void measure(std::uint32_t plant, const Camera& camera) {
+  void measure(const foliage::Run& run, const Camera& camera) {
     apps::throw_if_interrupted();
     if (record_ != nullptr) record_->drop([&](const ErrorRow& r) { return of_this_picture(r); });
-    const foliage::Run run{plant, plant + 1};
     stage_.set_law(Law::full);
     const Picture reference = stage_.draw(run, camera.shot, {plan_.error_px, Sampling::fine});
     compare(reference, run, Law::full, moved(camera.shot, 0.5), Sampling::fine, "moved");
@@ -156,11 +157,11 @@ std::string over_floors(const Verdict& v) {
 
 }  // namespace
 
-std::vector<foliage::TreeSite> sites_of(std::span<const foliage::PreparedPlant> plants) {
+std::vector<foliage::TreeSite> sites_of(std::span<const foliage::PreparedPlant> plants, std::uint32_t copies) {
   std::vector<foliage::TreeSite> sites;
-  for (const foliage::PreparedPlant& plant : plants) {
-    const auto index = static_cast<std::uint32_t>(sites.size());
-    sites.push_back(make_site(plant, index, plant.height_m, plant.crown_radius_m, 0, index));
+  for (std::uint32_t i = 0; i < copies * plants.size(); ++i) {
+    const foliage::PreparedPlant& plant = plants[i / copies];
+    sites.push_back(make_site(plant, i / copies, plant.height_m, plant.crown_radius_m, 0, i));
     sites.back().hash = (sites.back().hash & ~255U) | 128U;  // the same tint for all
   }
   return sites;
@@ -169,7 +170,7 @@ std::vector<foliage::TreeSite> sites_of(std::span<const foliage::PreparedPlant> 
 std::vector<ErrorRow> measure_errors(std::span<const foliage::PreparedPlant> plants, const ErrorPlan& plan,
                                      const std::function<void(double)>& progress, apps::Record<ErrorRow>* record) {
   std::vector<ErrorRow> rows;
-  Stage stage(plants, sites_of(plants));
+  Stage stage(plants, sites_of(plants, static_cast<std::uint32_t>(plan.views)));
   Measurement measurement(stage, plan, record, rows);
   const double all = static_cast<double>(plants.size() * plan.heights.size()) * plan.views;
   double done = 0;
@@ -177,7 +178,7 @@ std::vector<ErrorRow> measure_errors(std::span<const foliage::PreparedPlant> pla
     const Extent extent = extent_of(plants[plant]);
     for (const double height_px : plan.heights) {
       for (int view = 0; view < plan.views; ++view) {
-        measurement.add(plant, camera_of(extent, view, plan.views, height_px), height_px);
+        measurement.add(plant, camera_of(extent, view, plan.views, height_px), view, height_px);
         progress(++done / all);
       }
     }

@@ -47,7 +47,7 @@ inline constexpr double kCoverWithin = 0.02, kColourWithin = 0.005;
 /// A verdict for each law and sampling, floors among them, in the order of the rows.
 std::vector<Verdict> judge(std::span<const ErrorRow> rows);
 
-/// A site for each plant, at the origin, of natural size.
-std::vector<foliage::TreeSite> sites_of(std::span<const foliage::PreparedPlant> plants);
+/// Of each plant so many copies, one after the other, at the origin, of natural size and of the same tint.
+std::vector<foliage::TreeSite> sites_of(std::span<const foliage::PreparedPlant> plants, std::uint32_t copies = 1);
 
 }  // namespace manzana::foliage_benchmark

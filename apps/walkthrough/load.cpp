@@ -47,7 +47,8 @@ Imported load_city(const Options& options) {
 std::vector<foliage::PreparedPlant> load_plants(const Options& options) {
   std::vector<foliage::PreparedPlant> plants(kSpecies.size());
   foliage::PrepareOptions how;
-  if (options.tree_law != foliage::Law::prune) how.visibility_side = 0;  // the others do not ask for it
+  const bool asks = options.tree_law == foliage::Law::prune || options.tree_law == foliage::Law::ramp;
+  if (!asks) how.visibility_side = 0;  // the others do not ask for it
   tbb::parallel_for(std::size_t{0}, kSpecies.size(), [&](std::size_t kind) {
     const auto* file = file_for(options, static_cast<PlantKind>(kind));
     plants[kind] =

@@ -6,6 +6,12 @@
 namespace manzana::walkthrough {
 namespace {
 
+std::vector<std::string> law_names() {
+  std::vector<std::string> names;
+  for (const foliage::Law law : foliage::all_laws()) names.emplace_back(name_of(law));
+  return names;
+}
+
 constexpr int kLargestSide = 16384;  // of a framebuffer, on every device that has GL 4.5
 
 constexpr const char* kAbout =
@@ -95,8 +101,8 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
                  "milliseconds of a whole frame; trees take what the rest leaves, and the error may rise; 0: no limit")
       ->check(within(0, 1e6))
       ->capture_default_str();
-  app.add_option("--tree-law", texts.tree_law, "how trees lose detail: ours, gumbau, or full for all of it")
-      ->check(CLI::IsMember({"ours", "gumbau", "full"}))
+  app.add_option("--tree-law", texts.tree_law, "how trees lose detail: ours, as a source does, or full for all of it")
+      ->check(CLI::IsMember(law_names()))
       ->capture_default_str();
   app.add_flag("!--no-wind", options.wind, "trees stand still");
   app.add_option("--dispatch", texts.dispatch, "batched: all trees at once; node: each visible node's for itself")

@@ -22,19 +22,13 @@ void append(std::vector<T>& all, const std::vector<T>& part) {
   all.insert(all.end(), part.begin(), part.end());
 }
 
-gl::Buffer upload_quads(std::span<const PreparedPlant> plants) {
-  std::vector<PlantQuad> quads;
-  for (const PreparedPlant& plant : plants) {
-    append(quads, plant.bark);
-    append(quads, plant.leaves);
-  }
-  return upload(quads);
-}
-
+/// Plant by plant, the lists of each one after the other.
 template <class T>
-gl::Buffer upload_all(std::span<const PreparedPlant> plants, std::vector<T> PreparedPlant::*member) {
+gl::Buffer upload_all(std::span<const PreparedPlant> plants,
+                      std::initializer_list<std::vector<T> PreparedPlant::*> members) {
   std::vector<T> all;
-  for (const PreparedPlant& plant : plants) append(all, plant.*member);
+  for (const PreparedPlant& plant : plants)
+    for (const auto member : members) append(all, plant.*member);
   return upload(all);
 }
 
@@ -70,9 +64,9 @@ PlantStore::PlantStore(std::span<const PreparedPlant> prepared)
       steps(upload(table.steps)),
       details(gl::make_buffer(prepared.size() * glsl::kDetailSteps * sizeof(Detail))),
       views(upload(table.views)),
-      quads(upload_quads(prepared)),
-      lines(upload_all(prepared, &PreparedPlant::lines)),
-      points(upload_all(prepared, &PreparedPlant::points)),
+      quads(upload_all(prepared, {&PreparedPlant::bark, &PreparedPlant::leaves})),
+      lines(upload_all(prepared, {&PreparedPlant::lines, &PreparedPlant::coarse_lines})),
+      points(upload_all(prepared, {&PreparedPlant::points})),
       images(upload_images(prepared)) {}
 
 void set_details(PlantStore& store, std::vector<Detail> details) {

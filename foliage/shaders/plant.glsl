@@ -1,7 +1,8 @@
 // What the three ways of drawing a plant's primitives have in common. The host of the plants supplies, before this:
 //   vec4 clip_position(vec3 rel);                     rel: metres relative to the eye
 //   void plant_light(vec3 rel, vec3 normal, float shade, float leaf, float tint, out vec3 light, out vec3 air);
-//                                                     the picture's colour is albedo * light + air, linear
+//                                                     what arrives at the eye is albedo * light + air, linear
+//   vec3 plant_film(vec3 arriving);                   what the picture shows of that
 layout(std430, binding = 9) readonly buffer Trees { TreeRecord trees[]; };
 layout(std430, binding = 15) readonly buffer Items { Item items[]; };
 layout(std430, binding = 16) readonly buffer Groups { uvec2 groups[]; };

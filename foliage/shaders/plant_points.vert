@@ -1,7 +1,7 @@
 // A square of pixels that stands for leaves.
 struct LeafPoint {
   vec4 position_area;
-  uvec4 rest;  // normal, sRGB colour, shade as floatBitsToUint
+  uvec4 rest;  // normal, sRGB colour and contrast, shade as floatBitsToUint
 };
 layout(std430, binding = 17) readonly buffer Points { LeafPoint points[]; };
 
@@ -26,7 +26,9 @@ void main() {
   vec3 light, air;
   plant_light(rel, turn_normal(tree, point.rest.x), uintBitsToFloat(point.rest.z), 1.0, tint_of(tree), light, air);
   vec3 srgb = vec3(point.rest.y & 255u, (point.rest.y >> 8u) & 255u, (point.rest.y >> 16u) & 255u) * (1.0 / 255.0);
-  out_colour = plant_albedo(srgb) * light + air;
+  // Film is not linear: what the point is the mean of is on it as two halves, one lighter and one darker.
+  vec3 mean = plant_albedo(srgb) * light, off = mean * (float(point.rest.y >> 24u) * (1.0 / 255.0));
+  out_colour = 0.5 * (plant_film(mean + off + air) + plant_film(mean - off + air));
   gl_Position = clip_position(rel);
   gl_PointSize = sqrt(max(pixels, 1.0));
 }

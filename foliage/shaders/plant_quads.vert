@@ -1,6 +1,6 @@
 layout(location = 0) centroid out vec3 out_uv;
-layout(location = 1) out vec3 out_light;
-layout(location = 2) out vec3 out_air;
+layout(location = 1) centroid out vec3 out_light;
+layout(location = 2) centroid out vec3 out_air;
 layout(location = 3) flat out uint out_hash;
 
 void main() {

@@ -66,8 +66,8 @@ Detail detail_at(uint plant, float error2) {
   d.point_level = between(a.point_level, b.point_level, t);
   d.point_gain = between(a.point_gain, b.point_gain, t);
   d.hidden = between(a.hidden, b.hidden, t);
-  d.spare0 = 0.0f;
-  d.spare1 = 0.0f;
+  d.line_level = between(a.line_level, b.line_level, t);
+  d.spare = 0.0f;
   return d;
 }
 
@@ -109,12 +109,16 @@ ItemPair branch_items(TreeRecord tree, uint record, Detail d) {
   uint plant = tree.plant, levels = plants[plant].bark_levels;
   Item bark = no_item(record, kBark), lines = no_item(record, kLines);
   if (levels == 0u) return ItemPair(bark, lines);
-  uint level = min(uint(d.bark), levels - 1u), last = min(uint(d.lines), plants[plant].lines);
+  uint level = min(uint(d.bark), levels - 1u);
   uvec2 step = branch_step(plant, level, d.bark);
   bark.first = plants[plant].first_quad + plants[plant].bark[level].x;
   bark.count = step.x;
-  lines.first = plants[plant].first_line + step.y;
-  lines.count = max(last, step.y) - step.y;
+  uint line_level = rounded(d.line_level, mixed(tree.hash + 1u), plants[plant].line_levels - 1u);
+  uint row = plants[plant].first_line_row + line_level * (plants[plant].branches + 1u);
+  uint first = steps[row + step.y].x, last = steps[row + plants[plant].branches].x;
+  precise float shown = float(last - first) * d.lines;
+  lines.first = plants[plant].first_line + first;
+  lines.count = uint(shown);
   return ItemPair(bark, lines);
 }
 

@@ -22,27 +22,29 @@ struct Detail {
   float points;       // how many, when there are only points
   float point_level;  // of the finer of two levels that are mixed; its fraction: how far on the way to the next
   float point_gain;   // a point's area is multiplied by this and by the points of its level
-  float lines;      // the first so many lines are thick enough
+  float lines;      // share of the lines that are shown, where branches have no mesh
   float bark;       // level of the branches' mesh; its fraction: how far on the way to the next
   float hidden;       // 1: of each cell only what can be seen of it from the eye; 0: all of it
-  float spare0, spare1;
+  float line_level;  // 0: the finest lines
+  float spare;
 };
 
 // Of a plant's table, over the square of an error in metres: four an octave, from 2^-32 m2 to 2^16 m2.
 const uint kDetailSteps = 193u;
-const uint kMostLevels = 8u;
+const uint kMostLevels = 8u, kMostPointLevels = 12u;
 
 // A plant in the buffers of all plants.
 struct PlantHead {
   uint first_quad, first_line, first_point, first_cell, first_step;
-  uint cells, lines, bark_levels, point_levels;
+  uint cells, bark_levels, point_levels;
+  uint branches, line_levels, first_line_row;  // where lines begin: branches + 1 steps a level, in x
   uint first_view, view_side;  // visibility: bytes, cell by cell; side 0: all is visible
   float near2, per_near2;      // of the crown's ball: radius squared, and 1 / (3 of that)
-  uint spare;
+  uint spare0, spare1, spare2;
   float middle;                // height of the crown's middle
   float crown;                 // radius of the crown
   uvec4 bark[kMostLevels];     // first quad, first step, steps, 0
-  uvec4 points[kMostLevels];   // first point, points, 0, 0
+  uvec4 points[kMostPointLevels];   // first point, points, 0, 0
 };
 
 struct CellHead {

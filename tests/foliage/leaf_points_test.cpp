@@ -74,7 +74,7 @@ TEST_CASE("four points of a card hide half of its leaf") {
   for (const CloudPoint& p : four) {
     if (p.area < 1e-4F) continue;  // a packed uv of 1 is a little more
     CHECK(p.position.x < 0.51F);
-    CHECK(packed(p).colour == 0xff1e1ec8U);
+    CHECK(packed(p).colour == 0x001e1ec8U);
     CHECK(p.level == 2);
     CHECK(p.shade == Approx(1));
   }
@@ -209,6 +209,17 @@ TEST_CASE("large leaves come first with points of their own") {
   float largest = 0;
   for (std::uint32_t i = 0; i < ready.large_points; ++i) largest = std::max(largest, ready.points[i].area);
   CHECK(largest < 0.01F);  // of 2 m2
+}
+
+TEST_CASE("points of unlike leaves have contrast and those of one colour have none") {
+  CloudPoint dark, bright;
+  dark.area = bright.area = 1;
+  dark.colour = Vec3(0.1F), bright.colour = Vec3(0.3F);
+  dark.square = 0.01F, bright.square = 0.09F;
+  const PointCloud pair{dark, bright};
+  const std::uint32_t contrast = packed(merged({dark, bright}, 10).front()).colour >> 24;
+  CHECK(static_cast<int>(contrast) == Approx(127.5).margin(1));  // 0.1 off 0.2
+  CHECK(packed(dark).colour >> 24 == 0);
 }
 
 }  // namespace manzana::foliage

@@ -33,9 +33,16 @@ TEST_CASE("prepared plants keep their rules, and each broken rule is named") {
        "branch level 0"},
       {[](auto& p) { p.branch_levels[0].first_line = 1U << 30; }, "branch level 0"},
       {[](auto& p) {
-         p.branch_steps.push_back({1U << 30, 0});
+         p.branch_steps.push_back({1U << 30, 0, 0});
        },
        "branch step"},
+      {[](auto& p) { p.branch_steps[0].branches = 1U << 30; }, "branch step 0"},
+      {[](auto& p) { p.coarse_lines[0].radius_a = NAN; }, "coarse line 0"},
+      {[](auto& p) { p.line_levels[2].lines.last = 1U << 30; }, "line level 2"},
+      {[](auto& p) { p.line_levels[0].error_m = NAN; }, "line level 0"},
+      {[](auto& p) { p.line_firsts.pop_back(); }, "not every branch has its first line"},
+      {[](auto& p) { p.line_firsts[1] = 1U << 30; }, "first line 1"},
+      {[](auto& p) { p.line_firsts.back() = 0; }, "first line"},
       {[](auto& p) { p.leaves[7].anchor.y = 2e6F; }, "leaf quad 7"},
       {[](auto& p) { p.cells[0].quads.last += 1; }, "cell 1"},
       {[](auto& p) { p.cells.back().quads.last += 1; }, "cell"},

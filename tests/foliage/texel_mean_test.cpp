@@ -31,7 +31,8 @@ TexelMean supersampled(const Image& image, const std::array<Vec2d, 3>& uv) {
   const double side = image.size;
   const Vec2d e = (uv[1] - uv[0]) * side, f = (uv[2] - uv[0]) * side;
   const int steps = std::min(64 * static_cast<int>(std::ceil(std::max(glm::length(e), glm::length(f)))), 2048);
-  double alpha = 0, samples = 0;
+  double alpha = 0, samples = 0, square = 0;
+  const std::vector<float> light = smooth_luminance(image);
   Vec3d colour(0), middle(0);
   for (int i = 0; i < steps; ++i)
     for (int j = 0; j < steps; ++j) {
@@ -41,16 +42,17 @@ TexelMean supersampled(const Image& image, const std::array<Vec2d, 3>& uv) {
       const auto wrapped = [&](double v) {
         return static_cast<std::size_t>(std::floor(v - std::floor(v / side) * side));
       };
-      const std::uint8_t* texel =
-          &image.rgba[4 * (wrapped(at.y) * static_cast<std::size_t>(image.size) + wrapped(at.x))];
+      const std::size_t place = wrapped(at.y) * static_cast<std::size_t>(image.size) + wrapped(at.x);
+      const std::uint8_t* texel = &image.rgba[4 * place];
       const double a = texel[3] / 255.0;
       alpha += a;
+      square += a * static_cast<double>(light[place] * light[place]);
       samples += 1;
       for (int k = 0; k < 3; ++k) colour[k] += a * to_linear(texel[k] / 255.0);
       middle += a * Vec3d(1 - b - c, b, c);
     }
   if (alpha == 0) return {};
-  return {colour / alpha, alpha / samples, middle / alpha};
+  return {colour / alpha, alpha / samples, square / alpha, middle / alpha};
 }
 
 }  // namespace
@@ -69,6 +71,7 @@ TEST_CASE("the mean of texels is that of many samples") {
     INFO(n << " size " << size);
     CHECK(mean.alpha == Approx(oracle.alpha).margin(kTolerance));
     if (oracle.alpha < 0.02) continue;  // few samples see anything
+    CHECK(mean.square == Approx(oracle.square).margin(kTolerance));
     for (int k = 0; k < 3; ++k) {
       CHECK(from_linear(mean.colour[k]) == Approx(from_linear(oracle.colour[k])).margin(kTolerance));
       CHECK(mean.middle[k] == Approx(oracle.middle[k]).margin(0.01));
@@ -101,6 +104,23 @@ TEST_CASE("the mean of texels of one texel and of eight thousand") {
   const TexelMean white = TexelMeans(large).over({Vec2d{.1, .1}, Vec2d{.11, .1}, Vec2d{.1, .11}});
   CHECK(white.alpha == Approx(1));
   CHECK(white.colour.x == Approx(1));
+}
+
+TEST_CASE("smooth luminance is that of squares of texels, by alpha") {
+  Image image{8, std::vector<std::uint8_t>(256, 0)};
+  const auto set = [&](int x, int y, std::uint8_t value, std::uint8_t alpha) {
+    for (std::size_t k = 0; k < 4; ++k)
+      image.rgba[static_cast<std::size_t>(4 * (8 * y + x)) + k] = k < 3 ? value : alpha;
+  };
+  set(0, 0, 255, 255);
+  set(3, 3, 0, 255);
+  set(4, 0, 255, 51);
+  const std::vector<float> light = smooth_luminance(image);
+  CHECK(light[0] == Approx(0.5));
+  CHECK(light[8 * 3 + 3] == Approx(0.5));
+  CHECK(light[8 * 2 + 7] == Approx(1));
+  CHECK(light[8 * 7 + 7] == 0);
+  CHECK(smooth_luminance(Image{}) == std::vector<float>{1});
 }
 
 TEST_CASE("light is mixed as light") {

@@ -119,7 +119,7 @@ TEST_CASE("the GPU chooses what its twin on the CPU does to the bit") {
   gl::ErrorLog log;
   PlantStore store(plants());
   const auto trees = GENERATE(1U, 63U, 1500U);
-  const auto law = GENERATE(Law::full, Law::ours, Law::prune);
+  const auto law = GENERATE(from_range(all_laws().begin(), all_laws().end()));
   const auto error_px = GENERATE(0.4, 1.0, 5.0);
   const std::uint64_t seed = trees + static_cast<std::uint64_t>(error_px * 10);
   INFO("trees " << trees << " law " << name_of(law) << " error " << error_px << " seed " << seed);

@@ -1,6 +1,8 @@
 // What foliage/shaders/plant.glsl asks of its host. Trees are lit at their vertices: leaves are small, pixels are many.
 vec4 clip_position(vec3 rel) { return frame.view_projection * vec4(rel, 1.0); }
 
+vec3 plant_film(vec3 arriving) { return film(arriving); }
+
 vec3 plant_albedo(vec3 srgb) { return from_srgb(srgb); }
 
 void plant_light(vec3 rel, vec3 n, float shade, float leaf, float tint, out vec3 light, out vec3 air) {

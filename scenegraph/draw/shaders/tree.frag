@@ -1,6 +1,6 @@
 layout(location = 0) centroid in vec3 uv;
-layout(location = 1) in vec3 light;
-layout(location = 2) in vec3 air;
+layout(location = 1) centroid in vec3 light;
+layout(location = 2) centroid in vec3 air;
 layout(location = 3) flat in uint hash;
 layout(location = 0) out vec4 colour;
 

@@ -1,0 +1,98 @@
+#include "foliage/fill_colour.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "foliage/leaf_image.h"
+#include "foliage/raster.h"
+
+namespace manzana::foliage {
+namespace {
+
+using Corners = std::array<std::pair<std::uint16_t, std::uint16_t>, 4>;
+
+std::set<Corners> different_uvs(std::span<const PlantQuad> leaves) {
+  std::set<Corners> uvs;
+  for (const PlantQuad& quad : leaves) {
+    Corners corners;
+    for (std::size_t k = 0; k < 4; ++k) corners[k] = {quad.corners[k].u, quad.corners[k].v};
+    uvs.insert(corners);
+  }
+  return uvs;
+}
+
+std::size_t texel_at(int size, int x, int y) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x);
+}
+
+/// Texels with their middle in a quad, and those of its corners; nothing where the picture repeats.
+std::vector<bool> used_texels(int size, std::span<const PlantQuad> leaves) {
+  std::vector<bool> used(texel_at(size, 0, size), false);
+  const auto to_texels = static_cast<float>(size) * kUvRange / 65535;
+  const float end = static_cast<float>(size) * 1.001F;  // 1 is packed as a little more
+  for (const Corners& corners : different_uvs(leaves)) {
+    std::array<Vec2, 4> at;
+    for (std::size_t k = 0; k < 4; ++k) {
+      at[k] = Vec2(corners[k].first, corners[k].second) * to_texels;
+      if (std::max(at[k].x, at[k].y) > end) return {};
+      used[texel_at(size, std::min(static_cast<int>(at[k].x), size - 1),
+                    std::min(static_cast<int>(at[k].y), size - 1))] = true;
+    }
+    for_each_quad_span(at, Form::triangle, size, [&](const PixelSpan& span, const QuadPart&) {
+      for (int x = span.first; x < span.last; ++x) used[texel_at(size, x, span.y)] = true;
+    });
+  }
+  return used;
+}
+
+/// Linear light times weight, and the weight; square.
+struct Level {
+  int size = 0;
+  std::vector<Vec4> texels;
+  Vec4& at(int x, int y) { return texels[texel_at(size, x, y)]; }
+};
+
+Level halved(Level& fine) {
+  Level half{fine.size / 2, {}};
+  for (int y = 0; y < half.size; ++y)
+    for (int x = 0; x < half.size; ++x)
+      half.texels.push_back(fine.at(2 * x, 2 * y) + fine.at(2 * x + 1, 2 * y) + fine.at(2 * x, 2 * y + 1) +
+                            fine.at(2 * x + 1, 2 * y + 1));
+  return half;
+}
+
+Level weighted(const Image& image, const std::vector<bool>& used) {
+  Level level{image.size, {}};
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const std::uint8_t* texel = &image.rgba[4 * i];
+    const float weight = used[i] ? static_cast<float>(texel[3]) / 255 : 0;
+    const Vec3 light(linear_of_srgb(texel[0]), linear_of_srgb(texel[1]), linear_of_srgb(texel[2]));
+    level.texels.emplace_back(light * weight, weight);
+  }
+  return level;
+}
+
+}  // namespace
+
+void fill_unused(Image& image, std::span<const PlantQuad> leaves) {
+  if (image.size == 0) return;
+  const std::vector<bool> used = used_texels(image.size, leaves);
+  if (std::find(used.begin(), used.end(), false) == used.end()) return;
+  std::vector<Level> levels{weighted(image, used)};
+  while (levels.back().size > 1) levels.push_back(halved(levels.back()));
+  for (int y = 0; y < image.size; ++y) {
+    for (int x = 0; x < image.size; ++x) {
+      if (used[texel_at(image.size, x, y)]) continue;
+      const auto known = std::find_if(levels.begin(), levels.end(), [&](Level& level) {
+        return level.at(x * level.size / image.size, y * level.size / image.size).w > 0;
+      });
+      if (known == levels.end()) return;  // nothing has alpha
+      const Vec4 sum = known->at(x * known->size / image.size, y * known->size / image.size);
+      for (int c = 0; c < 3; ++c)
+        image.rgba[4 * texel_at(image.size, x, y) + static_cast<std::size_t>(c)] = srgb_of_linear(sum[c] / sum.w);
+    }
+  }
+}
+
+}  // namespace manzana::foliage
