@@ -65,12 +65,14 @@ double mesh_level(const LawMeasures& m, double error_m) {
   return level;
 }
 
+/// None where even the trunk is not seen: an eighth of the error and less.
 void set_lines(Detail& d, const PreparedPlant& plant, double error_m) {
   d.lines = 1;
   if (plant.line_levels.empty()) return;
-  const auto finest = static_cast<double>(plant.line_levels.front().error_m);
-  d.line_level = static_cast<float>(
-      std::clamp(1 + std::log2(error_m / finest), 0.0, static_cast<double>(plant.line_levels.size())));
+  const double level = 1 + std::log2(error_m / static_cast<double>(plant.line_levels.front().error_m));
+  const auto last = static_cast<double>(plant.line_levels.size());
+  d.line_level = static_cast<float>(std::clamp(level, 0.0, last));
+  d.lines = static_cast<float>(std::clamp(last + 1 - level, 0.0, 1.0));
 }
 
 }  // namespace

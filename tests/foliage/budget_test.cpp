@@ -108,7 +108,7 @@ TEST_CASE("room is not wasted: lists are at least half full where they bind") {
   const ListSizes wanted = sizes_of(chosen);
   for (int list = 1; list < 4; ++list) {
     Budget budget;
-    budget.room[list] = std::floor(wanted[list] / 2);
+    budget.room[list] = std::floor(0.75 * wanted[list]);  // more than a group a tree
     const double error = error_for(all.grove.costs, all.grove.table, all.seen(asked), budget);
     INFO("list " << list << " of " << wanted[list]);
     REQUIRE(error < kInfinite);
