@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
+#include <tuple>
 
 #include "foliage/detail.h"
 #include "foliage/generate.h"
@@ -78,7 +80,7 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 }  // namespace
 
 TEST_CASE("lists never need more room than they are given whatever binds") {
-  AllAround all(GENERATE(Law::ours, Law::prune));
+  AllAround all(GENERATE(Law::ours, Law::prune, Law::points_and_lines));
   const double asked = GENERATE(0.2, 1.0, 10.0) / 900;
   Selection chosen;
   select(all.grove.table, all.seen(asked), chosen);
@@ -101,14 +103,16 @@ TEST_CASE("lists never need more room than they are given whatever binds") {
 }
 
 TEST_CASE("room is not wasted: lists are at least half full where they bind") {
-  AllAround all(Law::ours);
+  // Ours shows so few points of a tree that they fill no group, and bounds are loose; Deussen's law has many.
+  const auto [law, first, last] = GENERATE(std::tuple(Law::ours, 1, 3), std::tuple(Law::points_and_lines, 3, 4));
+  AllAround all(law);
   const double asked = 1.0 / 900;
   Selection chosen;
   select(all.grove.table, all.seen(asked), chosen);
   const ListSizes wanted = sizes_of(chosen);
-  for (int list = 1; list < 4; ++list) {
+  for (int list = first; list < last; ++list) {
     Budget budget;
-    budget.room[list] = std::floor(0.75 * wanted[list]);  // more than a group a tree
+    budget.room[list] = std::floor(wanted[list] / 2);
     const double error = error_for(all.grove.costs, all.grove.table, all.seen(asked), budget);
     INFO("list " << list << " of " << wanted[list]);
     REQUIRE(error < kInfinite);
