@@ -28,10 +28,9 @@ std::vector<FrameRow> rows_of(int n) {
 }  // namespace
 
 TEST_CASE("frames.csv: the head as agreed, and a row a frame") {
-  CHECK(
-      to_csv({}) ==
-      "frame,cull_us,update_us,draw_ms,blocks_visible,buildings_visible,trees_visible,cars_visible,triangles,points,"
-      "tree_error_px\n");
+  CHECK(to_csv({}) ==
+        "frame,cull_us,update_us,draw_ms,blocks_visible,buildings_visible,trees_visible,cars_visible,triangles,points,"
+        "tree_error_px\n");
   const std::string csv = to_csv(rows_of(3));
   CHECK(std::count(csv.begin(), csv.end(), '\n') == 4);
   CHECK(csv.find("\n2,3.00,1000.00,30.000,0,0,0,0,1000000000002,0,2.250\n") != std::string::npos);
