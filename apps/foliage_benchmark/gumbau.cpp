@@ -7,7 +7,7 @@
 #include "apps/foliage_benchmark/sheet.h"
 #include "apps/foliage_benchmark/stand_in.h"
 #include "apps/foliage_benchmark/times_md.h"
-#include "foliage/gl/plant_store.h"
+#include "foliage/gl/index_list.h"
 #include "foliage/prepare.h"
 
 namespace manzana::foliage_benchmark {
@@ -43,6 +43,20 @@ struct Subject {
   Lazy<Portrait> portrait;
 };
 
+/// The source's own way: an index for each corner of each leaf that is kept.
+void time_list(const Effort& effort, double share, const std::function<void()>& extract, const PreparedPlant& plant,
+               TimeRow& row) {
+  const foliage::PlantStore store({&plant, 1});
+  foliage::IndexList list(store, 0);
+  const std::vector<float> lods(list.cells, static_cast<float>(share));
+  const auto write = [&] {
+    write_list(list, store, lods);
+    glFinish();
+  };
+  set_times(time_pairs(write, extract, effort.seconds(), 7), row);
+  row.reference_primitives = 2 * plant.leaves.size();
+}
+
 void add_extraction(const Effort& effort, const SourceTree& tree, Subject& subject, Times& times) {
   const auto extract_at = [&](double share) {
     Portrait& portrait = *subject.portrait;
@@ -72,6 +86,11 @@ void add_extraction(const Effort& effort, const SourceTree& tree, Subject& subje
                 row.source_value = tree.ms[i];
                 row.reference_primitives = 2 * subject.plant->leaves.size();
               });
+    times.add({.table = kTable2,
+               .plant = subject.name,
+               .way = percent(kShares[i]) + ", index list",
+               .reference = "as forests are, at " + percent(kShares[i])},
+              [&, extract](TimeRow& row) { time_list(effort, kShares[i], extract, *subject.plant, row); });
   }
 }
 
@@ -159,7 +178,7 @@ void add_gumbau(const Effort& effort, std::span<const foliage::PreparedPlant> pl
       "## Gumbau 2009: Modelo multiresolución para la copa de los árboles\n\n"
       "Species of our own with as many leaves as the source's trees stand for them (in a quick run: the first plant). "
       "Table 2: extraction of one tree, against all of its leaves; `source` is milliseconds on a GeForce 8800 GT, "
-      "without and with its buffers' set-up.\n\n" +
+      "without and with its buffers' set-up; `index list` is its own way of extraction.\n\n" +
       rows_md(times.rows, kTable2) +
       "Figure 4: how much of each cell can be seen, white is all: from the camera, and from its left, the camera to "
       "the "
