@@ -58,7 +58,7 @@ Detail leaves_as_points(const PreparedPlant& plant, double area) {
 
 Detail unfaded(Detail detail) {
   detail.share *= 1 - detail.fade / 2;  // what shrinks away is worth half
-  detail.fade = -1;
+  detail.fade = 0;
   detail.to_points = std::round(detail.to_points);
   detail.point_level = std::floor(detail.point_level);
   detail.bark = std::floor(detail.bark);

@@ -17,7 +17,7 @@ struct TreeSite {
 struct Detail {
   float share;      // of a cell's leaf quads, if all of them could be seen
   float scale;      // linear size of those
-  float fade;       // share of the shown ones that shrinks to nothing, the last in order; below 0: they end at once
+  float fade;       // share of the shown ones that shrinks to nothing, the last in order
   float to_points;  // 0: leaf quads only, 1: points only
   float points;       // how many, when there are only points
   float point_level;  // of the finer of two levels that are mixed; its fraction: how far on the way to the next

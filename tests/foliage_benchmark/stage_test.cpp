@@ -95,6 +95,31 @@ TEST_CASE("errors: full detail has none and floors are the worse of two") {
   }
 }
 
+TEST_CASE("unfaded: leaves are whole or not at all and parts are one or the other") {
+  const foliage::PreparedPlant& plant = shrub().front();
+  foliage::PlantTable table = foliage::make_plant_table(shrub());
+  foliage::Detail faded = pruned(plant, 0.37);
+  faded.fade = 0.3F;
+  faded.point_level = 0.6F;
+  const auto partial_leaves = [&](const foliage::Detail& detail) {
+    table.details = same_everywhere(shrub(), [&](const PreparedPlant&) { return detail; });
+    const auto sites = sites_of(shrub());
+    const auto rows = rows_seen_from({0, -30, 2});
+    const foliage::Run run{0, 1};
+    foliage::Selection chosen;
+    select(table, {sites, rows, {&run, 1}, 0.001}, chosen);
+    int partial = 0;
+    for (const foliage::Item& item : chosen.items)
+      if (item.kind == foliage::glsl::kLeaves && item.count > 0)
+        partial += (item.edge - static_cast<float>(item.count - 1)) / item.fade < 1 ? 1 : 0;
+    return partial;
+  };
+  CHECK(partial_leaves(faded) > 0);
+  CHECK(partial_leaves(unfaded(faded)) == 0);
+  CHECK(unfaded(faded).share == Approx(faded.share * 0.85F));
+  CHECK(unfaded(faded).point_level == 0);
+}
+
 TEST_CASE("popping: fading steps less in the mean and what does not fade is no better than itself") {
   const gl::HeadlessContext context;
   PopPlan plan{.heights = {16}, .range = 1.6};
