@@ -29,6 +29,13 @@ double gain_between(const std::array<float, 3>& quarters, double x) {
   return std::lerp(static_cast<double>(at[i]), static_cast<double>(at[i + 1]), 4 * x - static_cast<double>(i));
 }
 
+/// What of a level's area is shown where a share u of its points is meant: the last of them shrink away.
+double shown_of(double u) {
+  const auto fade = static_cast<double>(glsl::kPointFade);
+  const double edge = (1 + fade) * u, over = std::max(0.0, edge - 1);
+  return edge < fade ? edge * edge / (2 * fade) : edge - fade / 2 - over * over / (2 * fade);
+}
+
 /// So many points for each square of the error that the plant covers, of two levels: so far from the finer one to the
 /// coarser that together they are as many.  [after Deussen 2005, equation 10.5]
 void set_points(Detail& d, const PreparedPlant& plant, double error_m) {
@@ -43,7 +50,9 @@ void set_points(Detail& d, const PreparedPlant& plant, double error_m) {
   const double x = last ? 0 : std::clamp((size(level) - p) / (size(level) - size(level + 1)), 0.0, 1.0);
   d.points = static_cast<float>(p);
   d.point_level = static_cast<float>(static_cast<double>(level) + x);
-  d.point_gain = static_cast<float>(gain_between(levels[level].between, x) / p);
+  const double m = last ? 0 : size(level + 1),
+               shown = shown_of((p - x * m) / size(level)) * size(level) + shown_of(x) * m;
+  d.point_gain = static_cast<float>(gain_between(levels[level].between, x) / shown);
 }
 
 /// By the size of leaves; never where there would be about as many points as there are quads.

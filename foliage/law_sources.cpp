@@ -24,6 +24,7 @@ void set_leaf_points(Detail& d, const PreparedPlant& plant, double error_m) {
   const double p = points_wanted(static_cast<double>(plant.leaf_area_m2), error_m, 1, rule);
   // p - 2k of k triangles, and two points for each of the others.
   d.to_points = static_cast<float>(std::clamp((3 * k - p) / k, 0.0, 1.0));
+  d.fade = -1;
   set_points(d, plant, std::min(p, 2 * k), rule.c_p);
 }
 
@@ -68,6 +69,7 @@ Detail show_levels(const PreparedPlant& plant, const LawMeasures& m, double erro
   d.bark = static_cast<float>(level);
   if (plant.point_levels.empty() || m.quad_m > error_m) return d;
   d.to_points = 1;
+  d.fade = -1;
   set_points(d, plant, static_cast<double>(plant.point_levels.front().points.size()), 1);
   return d;
 }

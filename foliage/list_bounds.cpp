@@ -8,6 +8,8 @@ namespace {
 
 /// What rounding of floats may add.
 constexpr double kSlack = 1e-3;
+/// More leaves are shown where some shrink away: select.glsl, cell_item().
+constexpr double kMostShrinking = 1.15;
 
 double groups(double primitives, std::uint32_t size) { return std::ceil(primitives / size); }
 
@@ -76,7 +78,8 @@ ListSizes points_between(const PlantHead& plant, const Detail& a, const Detail& 
   const auto share = static_cast<double>(std::max(a.to_points, b.to_points));
   if (plant.point_levels == 0 || share <= 0) return ListSizes(0);
   const double coarse = coarse_points(plant, a, b);
-  const double points = std::max(static_cast<double>(std::max(a.points, b.points)), coarse);
+  const auto fade = static_cast<double>(glsl::kPointFade);
+  const double points = (1 + fade) * std::max(static_cast<double>(std::max(a.points, b.points)), coarse);
   return {0, 0, 0, points * share * (1 + kSlack) / glsl::kPointGroup + (coarse > 0 ? 2 : 1)};
 }
 
@@ -128,7 +131,7 @@ ListSizes most_leaves(const ListBounds& bounds, std::size_t plant, std::size_t n
   const ListBounds::Plant& p = bounds.plants[plant];
   const double quads = bounds.quads[plant * glsl::kDetailSteps + row];
   if (quads <= 0) return ListSizes(0);
-  const double keep = bounds.share[plant * glsl::kDetailSteps + nearest] * quads * (1 + kSlack);
+  const double keep = bounds.share[plant * glsl::kDetailSteps + nearest] * quads * kMostShrinking * (1 + kSlack);
   // Of each cell one leaf more by chance, and a group that is not full: at most one group more.
   return {p.cells, std::min(p.groups, p.leaves * keep / glsl::kQuadGroup + p.cells), 0, 0};
 }

@@ -53,11 +53,12 @@ Detail leaves_as_points(const PreparedPlant& plant, double area) {
   detail.to_points = 1;
   detail.points = static_cast<float>(plant.point_levels.front().points.size());
   detail.point_gain = static_cast<float>(area / static_cast<double>(detail.points));
+  detail.fade = -1;  // as many as are meant
   return detail;
 }
 
 Detail unfaded(Detail detail) {
-  detail.share *= 1 - detail.fade / 2;  // what shrinks away is worth half
+  detail.share *= 1 - std::max(0.0F, detail.fade) / 2;  // what shrinks away is worth half
   detail.fade = 0;
   detail.to_points = std::round(detail.to_points);
   detail.point_level = std::floor(detail.point_level);

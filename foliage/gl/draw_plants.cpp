@@ -52,7 +52,7 @@ PlantPrograms::PlantPrograms(const HostShaders& host)
     : quads(make_program("plant_quads", host, {shaders::plant_quad_glsl, shaders::plant_quads_vert},
                          shaders::cover_glsl, host.quads)),
       lines(make_program("plant_lines", host, {shaders::plant_lines_vert}, shaders::cover_glsl, host.lines)),
-      points(make_program("plant_points", host, {shaders::plant_points_vert}, "", host.points)),
+      points(make_program("plant_points", host, {shaders::plant_points_vert}, shaders::cover_glsl, host.points)),
       indices(make_quad_indices(glsl::kQuadsOfDraw)) {
   array = make_array(indices);
 }
@@ -71,6 +71,7 @@ void draw_plants(const PlantPrograms& programs, const PlantStore& store, const E
   draw_quads(at.lines, extractor.capacity.line_draws);
   glEnable(GL_PROGRAM_POINT_SIZE);
   use(programs.points, store.points, options);
+  glUniform1ui(1, static_cast<GLuint>(options.samples));
   glDrawArraysIndirect(GL_POINTS, reinterpret_cast<const void*>(at.points));
   glDisable(GL_PROGRAM_POINT_SIZE);
 }

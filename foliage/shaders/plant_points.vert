@@ -6,6 +6,8 @@ struct LeafPoint {
 layout(std430, binding = 17) readonly buffer Points { LeafPoint points[]; };
 
 layout(location = 0) out vec3 out_colour;
+layout(location = 1) flat out float out_alpha;
+layout(location = 2) flat out uint out_hash;
 
 void main() {
   uint slot = uint(gl_VertexID);
@@ -13,6 +15,8 @@ void main() {
   Item item = items[group.x];
   uint rank = group.y + slot % kPointGroup;
   out_colour = vec3(0.0);
+  out_alpha = 0.0;
+  out_hash = 0u;
   gl_Position = kNowhere;
   gl_PointSize = 1.0;
   if (rank >= item.count) return;
@@ -21,8 +25,9 @@ void main() {
   vec3 rel = swayed(tree, point.position_area.xyz, point.rest.x);
   vec2 s = scales2(tree);
   float pixels = point.position_area.w * item.scale * sqrt(s.x * s.y) * focal_px * focal_px / dot(rel, rel);
-  // Less than a pixel is drawn as one, as often as it is worth.
-  if (pixels < fraction_of(mixed(tree.hash + rank))) return;
+  pixels *= clamp((item.edge - float(rank)) / item.fade, 0.0, 1.0);
+  out_alpha = min(pixels, 1.0);  // less than a pixel is drawn as a part of one
+  out_hash = mixed(tree.hash + rank);
   vec3 light, air;
   plant_light(rel, turn_normal(tree, point.rest.x), uintBitsToFloat(point.rest.z), 1.0, tint_of(tree), light, air);
   vec3 srgb = vec3(point.rest.y & 255u, (point.rest.y >> 8u) & 255u, (point.rest.y >> 16u) & 255u) * (1.0 / 255.0);

@@ -122,6 +122,17 @@ ItemPair branch_items(TreeRecord tree, uint record, Detail d) {
   return ItemPair(bark, lines);
 }
 
+// The last points shrink away, over a part of the level that stays as wide: so each takes its time. Where details fade.
+Item faded(Item item, float shown, float most, uint hash, Detail d) {
+  bool fades = d.fade >= 0.0f;
+  precise float edge = shown * (fades ? kPointFade + 1.0f : 1.0f) + fraction_of(hash);
+  precise float fade = most * (kPointFade * d.to_points);
+  item.count = uint(max(min(edge, most), 0.0f));
+  item.edge = fades ? edge : 3.0e38f;
+  item.fade = max(fade, 1.0f);
+  return item;
+}
+
 // Points of two neighbouring levels: x on the way from one to the next, x times all of the coarser are shown, and as
 // many of the finer as are missing. So each level is whole where the next one takes over.
 ItemPair points_items(TreeRecord tree, uint record, Detail d) {
@@ -134,10 +145,10 @@ ItemPair points_items(TreeRecord tree, uint record, Detail d) {
   precise float fine_shown = (d.points - of_coarse) * d.to_points, coarse_shown = of_coarse * d.to_points;
   precise float fine_gain = float(of_level.y) * d.point_gain, coarse_gain = float(of_next.y) * d.point_gain;
   fine.first = plants[plant].first_point + of_level.x;
-  fine.count = rounded(fine_shown, mixed(tree.hash + 2u), of_level.y);
+  fine = faded(fine, fine_shown, float(of_level.y), mixed(tree.hash + 2u), d);
   fine.scale = fine_gain;
   coarse.first = plants[plant].first_point + of_next.x;
-  coarse.count = rounded(coarse_shown, mixed(tree.hash + 3u), of_next.y);
+  coarse = faded(coarse, coarse_shown, float(of_next.y), mixed(tree.hash + 3u), d);
   coarse.scale = coarse_gain;
   return ItemPair(fine, coarse);
 }
@@ -175,14 +186,18 @@ Item cell_item(TreeRecord tree, uint record, uint index) {
   float r2 = squared(placed(tree.row_x, tree.row_y, tree.row_z, cell.centre));
   precise float error2 = r2 * sites[tree.site].inv_scale2 * error2_at_1m;
   Detail at_tree = detail_at(tree.plant, tree.error2), d = detail_at(tree.plant, error2);
-  precise float keep = d.share * visible_share(tree, index, d.hidden) * (1.0f - at_tree.to_points);
+  // Where points take over, quads shrink away too.
+  precise float going = min(4.0f * at_tree.to_points, 1.0f) * 0.3f;
+  precise float more = d.fade < 0.0f ? 0.0f : max(going - d.fade, 0.0f);
+  precise float keep =
+      d.share * visible_share(tree, index, d.hidden) * (1.0f - at_tree.to_points) * (1.0f + 0.5f * more);
   precise float shown = float(cell.count) * keep;
   uint hash = mixed(tree.hash ^ mixed(index));
   precise float edge = shown + fraction_of(hash);
   item.first = plants[tree.plant].first_quad + cell.first;
   item.count = min(uint(edge), cell.count);
   item.edge = keep >= 1.0f ? 3.0e38f : edge;
-  precise float fade = shown * d.fade;
+  precise float fade = shown * (d.fade + more);
   item.fade = max(fade, 1.0f);
   item.scale = d.scale;
   return item;

@@ -63,13 +63,14 @@ struct TreeRecord {
 // What is drawn of one thing: `count` primitives from `first` on.
 struct Item {
   uint record, kind, first, count;
-  float edge;   // leaf quads: rank where nothing is left of them
+  float edge;   // leaf quads, points: rank where nothing is left of them
   float fade;   // ranks over which they shrink
   float scale;  // of leaf quads their size, linear; of points their area
   float spare;
 };
 // A group is a handful of primitives of one item, so a list of groups is short where a list of primitives would not be.
 const uint kQuadGroup = 4u, kLineGroup = 4u, kPointGroup = 16u;
+const float kPointFade = 0.3f;  // share of a level's points over which its last ones shrink
 const uint kBark = 0u, kLeaves = 1u, kLines = 2u, kPoints = 3u;
 
 // Items of every tree: its bark, its lines, its points in two levels. Those of all trees come first, whether empty or

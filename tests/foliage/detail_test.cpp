@@ -47,7 +47,8 @@ TEST_CASE("every law shows sound numbers and all of a plant from near and less f
   for (std::size_t i = 0; i < plants().size(); ++i) {
     const auto rows = rows_of(table.details, i);
     for (const Detail& d : rows) {
-      for (const float v : {d.share, d.fade, d.to_points, d.lines}) REQUIRE((v >= 0 && v <= 1));
+      for (const float v : {d.share, d.to_points, d.lines}) REQUIRE((v >= 0 && v <= 1));
+      REQUIRE((d.fade == -1 || (d.fade >= 0 && d.fade <= 1)));
       for (const float v : {d.scale, d.points, d.point_level, d.point_gain, d.bark, d.line_level})
         REQUIRE((v >= 0 && v < 1e9F));
     }
