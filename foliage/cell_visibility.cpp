@@ -234,8 +234,7 @@ void bake(PreparedPlant& plant, const VisibilityOptions& options, const CountPix
     const ParallelView view = view_of(plant, to_eye, pixels);
     fill_direction(plant, firsts[i], options.pixels > 0 ? count(view, {}) : enough_pixels(plant, view, count));
     const std::scoped_lock lock(telling);
-    ++done;
-    if (options.progress) options.progress(static_cast<double>(done) / static_cast<double>(firsts.size()));
+    tell(options.progress, ++done, firsts.size());
   });
   for (std::size_t c = 0; c < plant.cells.size(); ++c)
     for (std::uint32_t vertex = 0; vertex < all; ++vertex)

@@ -9,13 +9,14 @@
 #include <span>
 
 #include "foliage/cell_pieces.h"
+#include "foliage/progress.h"
 
 namespace manzana::foliage {
 
 struct VisibilityOptions {
-  std::uint32_t side = 9;                  ///< of the octahedral grid of directions; at least 2, at most 257
-  int pixels = 0;                          ///< along each side of a picture; 0: as many as give kEnoughPixels a cell
-  std::function<void(double)> progress{};  ///< called with [0, 1], from any thread but by one at a time; may be empty
+  std::uint32_t side = 9;  ///< of the octahedral grid of directions; at least 2, at most 257
+  int pixels = 0;          ///< along each side of a picture; 0: as many as give kEnoughPixels a cell
+  Progress progress{};
 };
 
 /// Of a cell, alone and among the others: a share of n pixels scatters by at most 1 / (2 sqrt(n)), here 0.016.

@@ -163,7 +163,7 @@ std::array<Squares, 2> mixture(const PreparedPlant& plant, std::size_t level, fl
 
 }  // namespace
 
-LeafScaleFit fit_leaf_scale(const PreparedPlant& plant) {
+LeafScaleFit fit_leaf_scale(const PreparedPlant& plant, const Progress& progress) {
   LeafScaleFit out;
   out.scale.fill(1);
   if (plant.leaves.empty()) return out;
@@ -176,19 +176,22 @@ LeafScaleFit fit_leaf_scale(const PreparedPlant& plant) {
     const Silhouettes::Coverage now = pictures.coverage(u, out.scale[i]);
     for (std::size_t v = 0; v < kViews; ++v)
       out.residual[i][v] = static_cast<float>(now[v]) / static_cast<float>(full[v]) - 1;
+    tell(progress, i, kLeafScales - 1);
   }
   return out;
 }
 
-std::vector<float> fit_point_areas(const PreparedPlant& plant) {
+std::vector<float> fit_point_areas(const PreparedPlant& plant, const Progress& progress) {
   if (plant.leaves.empty()) return {};
   const Silhouettes pictures(plant, kPointViews);
   const double full = sum(pictures.coverage(1, 1));
   std::vector<float> factors;
-  for (const PointLevel& level : plant.point_levels)
+  for (const PointLevel& level : plant.point_levels) {
     factors.push_back(root(0.125F, 8, [&](float f) {
       return sum(pictures.point_coverage(std::array{Squares{level.points, f}})) / full - 1;
     }));
+    tell(progress, factors.size(), plant.point_levels.size());
+  }
   return factors;
 }
 

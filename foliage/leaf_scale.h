@@ -3,6 +3,7 @@
 /// each axis overshoots by hundreds of per cent, and its root, the area's rule, by 10 to 70: leaves overlap, and they
 /// are scaled about their petioles. So s(u) is fitted by drawing the crown, for each plant.
 #include "foliage/prepared_plant.h"
+#include "foliage/progress.h"
 
 namespace manzana::foliage {
 
@@ -19,12 +20,12 @@ struct LeafScaleFit {
 /// From the bark, leaves and cells of a plant, over eight views with bark and alpha test. Of each cell are kept()
 /// (foliage/ lod_factor.h) its leaves, at a threshold of its own. Coverage is that of the mean view. Cost: about a
 /// second for 100 000 triangles, on all cores.
-LeafScaleFit fit_leaf_scale(const PreparedPlant& plant);
+LeafScaleFit fit_leaf_scale(const PreparedPlant& plant, const Progress& progress = {});
 
 /// For each level of points by which factor its points' areas cover, as squares, what the leaves cover. Half the
 /// leaves' area is right only for points far apart: at the finest level points of one leaf hide each other, and merged
 /// ones no longer hide each other as the leaves did. In [1/8, 8].
-std::vector<float> fit_point_areas(const PreparedPlant& plant);
+std::vector<float> fit_point_areas(const PreparedPlant& plant, const Progress& progress = {});
 
 /// PointLevel::between for each level but the last, when its areas are fitted. In [1/2, 2].
 std::vector<std::array<float, 3>> fit_point_mixtures(const PreparedPlant& plant);

@@ -141,7 +141,7 @@ float shade_of(float arriving) {
   return root > 0.09F ? (std::sqrt(root) - 0.3F) / 0.9F : 0;
 }
 
-void fit_point_shades(PreparedPlant& plant) {
+void fit_point_shades(PreparedPlant& plant, const Progress& progress) {
   const LeafHoles holes(plant.leaf_image);
   const LeafLuminance luminances(plant.leaf_image);
   const std::vector<Light> leaves = seen(plant, [&](LightPicture& picture) {
@@ -149,7 +149,9 @@ void fit_point_shades(PreparedPlant& plant) {
   });
   if (leaves.empty()) return;
   const double wanted = brightness(leaves, 1);
-  for (const PointLevel& level : plant.point_levels) {
+  for (std::size_t i = 0; i < plant.point_levels.size(); ++i) {
+    tell(progress, i, plant.point_levels.size());
+    const PointLevel& level = plant.point_levels[i];
     const std::span points = std::span(plant.points).subspan(level.points.first, level.points.size());
     const std::vector<Light> lights = seen(plant, [&](LightPicture& picture) {
       for (const LeafPoint& point : points) picture.draw(point);

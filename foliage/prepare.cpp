@@ -8,9 +8,6 @@
 namespace manzana::foliage {
 
 PreparedPlant prepare(const Plant& plant, const PrepareOptions& options) {
-  const auto tell = [&](double done) {
-    if (options.progress) options.progress(done);
-  };
   check(plant);
   PreparedPlant ready;
   ready.name = plant.name;
@@ -19,14 +16,19 @@ PreparedPlant prepare(const Plant& plant, const PrepareOptions& options) {
   ready.crown_radius_m = size.radius;
   ready.leaf_image = plant.leaf_image;
   ready.bark_image = plant.bark_image;
-  tell(0);
+  const bool seen = options.visibility_side > 0;
+  constexpr double kBranches = 0.05;
+  const double leaves = seen ? 0.4 : 1;  // of the work is done with them
+  tell(options.progress, 0);
   prepare_branches(plant, options, ready);
-  tell(0.2);
-  prepare_leaves(plant, options, ready);
+  tell(options.progress, kBranches);
+  PrepareOptions for_leaves = options;
+  for_leaves.progress = part_of(options.progress, kBranches, leaves);
+  prepare_leaves(plant, for_leaves, ready);
   fill_unused(ready.leaf_image, ready.leaves);
-  tell(0.6);
-  if (options.visibility_side > 0 && !ready.cells.empty()) bake_visibility(ready, {.side = options.visibility_side});
-  tell(1);
+  if (seen && !ready.cells.empty())
+    bake_visibility(ready, {.side = options.visibility_side, .progress = part_of(options.progress, leaves, 1)});
+  tell(options.progress, 1);
   return ready;
 }
 

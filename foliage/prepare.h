@@ -1,8 +1,7 @@
 #pragma once
 /// From a plant to what is drawn of it at every distance. The parts: branch_levels.h, leaf_cloud.h, cell_visibility.h.
-#include <functional>
-
 #include "foliage/prepared_plant.h"
+#include "foliage/progress.h"
 
 namespace manzana::foliage {
 
@@ -19,7 +18,7 @@ struct PrepareOptions {
   BranchOrder branch_order = BranchOrder::width;
   std::uint32_t visibility_side = 9;  ///< directions along each side of their grid; 0: visibility is not baked
   std::uint64_t seed = 1;
-  std::function<void(double)> progress{};  ///< called with [0, 1] now and then; may be empty
+  Progress progress{};
 };
 
 /// The same for the same plant and options on every machine. Throws std::invalid_argument where check(plant) does.

@@ -24,7 +24,7 @@ void print(const std::string& text) {
 
 /// And who counted what is seen of its cells.
 std::pair<foliage::PreparedPlant, std::string> prepared(const foliage::Plant& plant, const bake::Options& options) {
-  constexpr double kBefore = 0.5;  // of the work, where visibility is counted
+  constexpr double kBefore = 0.4;  // of the work, where visibility is counted
   const double before = options.visibility == bake::VisibilityBy::none ? 1 : kBefore;
   apps::ProgressBar bar(stderr);
   foliage::PrepareOptions how;

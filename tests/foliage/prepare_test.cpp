@@ -25,6 +25,8 @@ TEST_CASE("a grown plant is prepared with all its parts") {
   REQUIRE(!progress.empty());
   CHECK(progress.back() == 1);
   CHECK(std::is_sorted(progress.begin(), progress.end()));
+  CHECK(progress.front() == 0);
+  for (std::size_t i = 1; i < progress.size(); ++i) CHECK(progress[i] - progress[i - 1] <= 0.1);
 }
 
 TEST_CASE("a plant that breaks a rule is not prepared") {
