@@ -25,8 +25,35 @@ struct MeshLayer {
   std::vector<std::uint32_t> index_first;
 };
 
-/// What kind of plant stands there; the drawing maps a kind to a model.
-enum class PlantKind : std::uint8_t { broadleaf, conifer, shrub, count };
+/// What a tree is where no more is known.
+enum class PlantKind : std::uint8_t { broadleaf, conifer, shrub };
+
+/// What stands there; the drawing has a model for each. The first three: any other of that kind.
+enum class PlantSpecies : std::uint8_t {
+  broadleaf,
+  conifer,
+  shrub,
+  oak,
+  birch,
+  poplar,
+  pine,
+  willow,
+  lime,
+  palm,
+  apple,
+  count
+};
+inline constexpr std::size_t kPlantSpecies = static_cast<std::size_t>(PlantSpecies::count);
+
+constexpr PlantKind kind_of(PlantSpecies species) {
+  if (species == PlantSpecies::conifer || species == PlantSpecies::pine) return PlantKind::conifer;
+  return species == PlantSpecies::shrub ? PlantKind::shrub : PlantKind::broadleaf;
+}
+/// The species that stands for a kind.
+constexpr PlantSpecies plain_species(PlantKind kind) {
+  if (kind == PlantKind::conifer) return PlantSpecies::conifer;
+  return kind == PlantKind::shrub ? PlantSpecies::shrub : PlantSpecies::broadleaf;
+}
 
 /// A tree. Position of its foot in its block's frame, metres.
 struct TreeInstance {
@@ -35,7 +62,7 @@ struct TreeInstance {
   float crown_radius_m = 3;
   float yaw = 0;  ///< radians about up
   std::uint32_t block = 0;
-  PlantKind kind = PlantKind::broadleaf;
+  PlantSpecies species = PlantSpecies::broadleaf;
   std::uint8_t tint = 0;  ///< 0..255, a variation of colour
 };
 

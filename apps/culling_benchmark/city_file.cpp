@@ -14,14 +14,13 @@ using baselines::City;
 using baselines::ObjectKind;
 using culling::BoxD;
 
-/// Of the plant that stands for each kind, in full.
-std::array<std::uint32_t, 3> plant_triangles(std::uint64_t seed) {
-  std::array<std::uint32_t, 3> triangles{};
-  constexpr std::array<const char*, 3> kSpecies{"broadleaf", "conifer", "shrub"};  // as PlantKind has them
-  static_assert(kSpecies.size() == static_cast<std::size_t>(PlantKind::count));
-  for (std::size_t kind = 0; kind < kSpecies.size(); ++kind) {
-    const foliage::Plant plant = foliage::grow_plant(foliage::builtin_species(kSpecies[kind]), seed);
-    triangles[kind] = static_cast<std::uint32_t>(plant.mesh.bark.triangles() + plant.mesh.leaves.triangles());
+/// Of each species' model, in full.
+std::array<std::uint32_t, kPlantSpecies> plant_triangles(std::uint64_t seed) {
+  std::array<std::uint32_t, kPlantSpecies> triangles{};
+  static_assert(foliage::kSpeciesNames.size() == kPlantSpecies);
+  for (std::size_t i = 0; i < kPlantSpecies; ++i) {
+    const foliage::Plant plant = foliage::grow_plant(foliage::builtin_species(foliage::kSpeciesNames[i]), seed);
+    triangles[i] = static_cast<std::uint32_t>(plant.mesh.bark.triangles() + plant.mesh.leaves.triangles());
   }
   return triangles;
 }
@@ -64,7 +63,7 @@ City city_of(const Scene& scene, std::uint64_t seed) {
     add_meshes(city, scene, scene.buildings, block, ObjectKind::building);
     add_meshes(city, scene, scene.surfaces, block, ObjectKind::ground);
     add_objects(city, scene.tree, scene.trees.table, block, ObjectKind::tree,
-                [&](std::uint32_t i) { return plants[static_cast<std::size_t>(scene.trees.instances[i].kind)]; });
+                [&](std::uint32_t i) { return plants[static_cast<std::size_t>(scene.trees.instances[i].species)]; });
     city.blocks.push_back(volume_of(city, scene, block));
     city.first.push_back(city.objects());
     city.bounds = merge(city.bounds, city.blocks.back().box);

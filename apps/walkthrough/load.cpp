@@ -2,26 +2,28 @@
 
 #include <tbb/parallel_for.h>
 
-#include <array>
+#include <algorithm>
 #include <cstdio>
+#include <mutex>
+#include <numeric>
 
 #include "apps/common/progress_bar.h"
-#include "foliage/generate.h"
 #include "foliage/import/load_plant.h"
 #include "foliage/import/species.h"
-#include "foliage/prepare.h"
 
 namespace manzana::walkthrough {
 namespace {
 
-constexpr std::array<const char*, 3> kSpecies{"broadleaf", "conifer", "shrub"};
-static_assert(kSpecies.size() == static_cast<std::size_t>(PlantKind::count));
+static_assert(foliage::kSpeciesNames.size() == kPlantSpecies);
 
-const std::filesystem::path* file_for(const Options& options, PlantKind kind) {
-  const std::filesystem::path* file = nullptr;
-  for (const PlantFile& plant : options.plants)
-    if (plant.kind == kind) file = &plant.file;  // the last one counts
-  return file;
+/// The last of that species counts; else the last that stands for its kind.
+const std::filesystem::path* file_for(const Options& options, PlantSpecies species) {
+  const std::filesystem::path *own = nullptr, *of_kind = nullptr;
+  for (const PlantFile& plant : options.plants) {
+    if (plant.species == species) own = &plant.file;
+    if (plant.species == plain_species(kind_of(species))) of_kind = &plant.file;
+  }
+  return own != nullptr ? own : of_kind;
 }
 
 /// Texts from files may hold anything: control characters would break lines and terminals.
@@ -31,10 +33,30 @@ std::string printable(std::string text) {
 }
 
 /// Kept prepared from one start to the next.
-foliage::PreparedPlant load_file(const std::filesystem::path& file, const foliage::PrepareOptions& how) {
+foliage::PreparedPlant load_plant(const Options& options, std::size_t species, const foliage::PrepareOptions& how) {
   const auto tell = [](const std::string& line) { std::fprintf(stderr, "%s\n", printable(line).c_str()); };
-  return foliage::load_or_prepare({file}, foliage::default_cache_folder(), how, tell);
+  const auto folder = foliage::default_cache_folder();
+  if (const auto* file = file_for(options, static_cast<PlantSpecies>(species)))
+    return foliage::load_or_prepare({*file}, folder, how, tell);
+  return foliage::grow_or_prepare(foliage::kSpeciesNames[species], options.seed, folder, how, tell);
 }
+
+/// The mean of what several tasks have done, whichever thread tells.
+class SharedBar {
+ public:
+  SharedBar(std::string_view stage, std::size_t tasks) : bar_(stderr), stage_(stage), done_(tasks, 0) {}
+  void tell(std::size_t task, double done) {
+    const std::scoped_lock lock(mutex_);
+    done_[task] = std::max(done_[task], done);
+    bar_.show(stage_, std::accumulate(done_.begin(), done_.end(), 0.0) / static_cast<double>(done_.size()));
+  }
+
+ private:
+  std::mutex mutex_;
+  apps::ProgressBar bar_;
+  std::string stage_;
+  std::vector<double> done_;
+};
 
 }  // namespace
 
@@ -45,16 +67,15 @@ Imported load_city(const Options& options) {
 }
 
 std::vector<foliage::PreparedPlant> load_plants(const Options& options) {
-  std::vector<foliage::PreparedPlant> plants(kSpecies.size());
-  foliage::PrepareOptions how;
+  std::vector<foliage::PreparedPlant> plants(kPlantSpecies);
+  SharedBar bar("plants", plants.size());
   const bool asks = options.tree_law == foliage::Law::prune || options.tree_law == foliage::Law::ramp;
-  if (!asks) how.visibility_side = 0;  // the others do not ask for it
-  tbb::parallel_for(std::size_t{0}, kSpecies.size(), [&](std::size_t kind) {
-    const auto* file = file_for(options, static_cast<PlantKind>(kind));
-    plants[kind] =
-        file != nullptr
-            ? load_file(*file, how)
-            : foliage::prepare(foliage::grow_plant(foliage::builtin_species(kSpecies[kind]), options.seed), how);
+  tbb::parallel_for(std::size_t{0}, plants.size(), [&](std::size_t i) {
+    foliage::PrepareOptions how;
+    if (!asks) how.visibility_side = 0;  // the others do not ask for it
+    how.progress = [&bar, i](double done) { bar.tell(i, done); };
+    plants[i] = load_plant(options, i, how);
+    bar.tell(i, 1);
   });
   return plants;
 }

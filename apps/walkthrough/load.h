@@ -11,7 +11,8 @@ namespace manzana::walkthrough {
 /// With a progress bar on stderr. Throws as import_city does.
 Imported load_city(const Options& options);
 
-/// One model for each PlantKind: the built-in species, or the files of --plant. Throws as load_plant does.
+/// One model for each PlantSpecies: built in, or the files of --plant; kept prepared from one start to the next. With a
+/// progress bar on stderr. Throws as load_plant does.
 std::vector<foliage::PreparedPlant> load_plants(const Options& options);
 
 /// Blocks, objects a block, how many fell back; one line.

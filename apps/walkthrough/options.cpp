@@ -1,7 +1,10 @@
 #include "apps/walkthrough/options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
+
+#include "foliage/import/species.h"
 
 namespace manzana::walkthrough {
 namespace {
@@ -40,11 +43,9 @@ std::optional<draw::Size> parse_size(const std::string& text) {
 std::optional<PlantFile> parse_plant(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals + 1 == text.size()) return std::nullopt;
-  const std::string kind = text.substr(0, equals), file = text.substr(equals + 1);
-  if (kind == "broadleaf") return PlantFile{PlantKind::broadleaf, file};
-  if (kind == "conifer") return PlantFile{PlantKind::conifer, file};
-  if (kind == "shrub") return PlantFile{PlantKind::shrub, file};
-  return std::nullopt;
+  const auto species = std::ranges::find(foliage::kSpeciesNames, text.substr(0, equals));
+  if (species == foliage::kSpeciesNames.end()) return std::nullopt;
+  return PlantFile{static_cast<PlantSpecies>(species - foliage::kSpeciesNames.begin()), text.substr(equals + 1)};
 }
 
 /// CLI::Range lets what is no number pass, since no comparison holds.
@@ -108,9 +109,13 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
   app.add_option("--dispatch", texts.dispatch, "batched: all trees at once; node: each visible node's for itself")
       ->check(CLI::IsMember({"batched", "node"}))
       ->capture_default_str();
-  app.add_option("--plant", texts.plants, "KIND=FILE.glb: model for broadleaf, conifer or shrub")
-      ->check([](const std::string& text) { return std::string(parse_plant(text) ? "" : "is no KIND=FILE: " + text); },
-              "");
+  app.add_option("--plant", texts.plants,
+                 "SPECIES=FILE.glb: model for oak, birch, pine, ...; for broadleaf, conifer or shrub: for all of that "
+                 "kind that\n"
+                 "have none of their own")
+      ->check(
+          [](const std::string& text) { return std::string(parse_plant(text) ? "" : "is no SPECIES=FILE: " + text); },
+          "");
 }
 
 Options finish(Options options, const Texts& texts) {

@@ -13,9 +13,9 @@
 
 namespace manzana::walkthrough {
 
-/// --plant KIND=FILE.glb: the model that stands for a kind.
+/// --plant SPECIES=FILE.glb: the model for a species.
 struct PlantFile {
-  PlantKind kind = PlantKind::broadleaf;
+  PlantSpecies species = PlantSpecies::broadleaf;
   std::filesystem::path file;
 };
 

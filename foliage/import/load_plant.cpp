@@ -78,20 +78,24 @@ std::vector<unsigned char> content_of(const fs::path& file) {
   }
 }
 
+std::string description_of(const PrepareOptions& options) {
+  const auto& [quads_per_cell, branch_levels, branch_order, visibility_side, seed, progress] = options;
+  std::ostringstream text;
+  text << "format " << kPlantFormat << " cells " << quads_per_cell << " levels " << branch_levels << " order "
+       << static_cast<int>(branch_order) << " side " << visibility_side << " seed " << seed;
+  return text.str();
+}
+
 /// Two files for a plant: KEY.files names what its source refers to; KEY2.plant, whose name depends on the content of
 /// those as well, is the plant.
 class Shelf {
  public:
-  Shelf(fs::path folder, const PlantSource& source, const PrepareOptions& options)
-      : folder_(std::move(folder)), source_(source) {
-    const auto& [quads_per_cell, branch_levels, branch_order, visibility_side, seed, progress] = options;
-    std::ostringstream text;
-    text << "format " << kPlantFormat << " cells " << quads_per_cell << " levels " << branch_levels << " order "
-         << static_cast<int>(branch_order) << " side " << visibility_side << " seed " << seed << " of " << source.seed
-         << ' ' << source.system << " name " << source.file.stem().string() << " content "
-         << checksum(content_of(source.file));
-    description_ = text.str();
-  }
+  /// `description`: of all that the plant depends on, but the other files, which are in the folder `others`.
+  Shelf(fs::path folder, std::string stem, fs::path others, std::string description)
+      : folder_(std::move(folder)),
+        stem_(std::move(stem)),
+        others_(std::move(others)),
+        description_(std::move(description)) {}
 
   std::optional<PreparedPlant> look(const TellLine& tell) const {
     try {
@@ -120,7 +124,7 @@ class Shelf {
 
  private:
   fs::path named(const std::string& description, const char* extension) const {
-    std::string stem = source_.file.stem().string().substr(0, 40);
+    std::string stem = stem_.substr(0, 40);
     for (char& c : stem)
       if (static_cast<unsigned char>(c) < 33 || c == 127) c = '_';
     return folder_ / (stem + "-" + hexadecimal(XXH3_64bits(description.data(), description.size())) + extension);
@@ -130,7 +134,7 @@ class Shelf {
 
   /// Throws for a file that is absent now, or outside the folder.
   fs::path plant_file(const std::vector<std::string>& names) const {
-    FolderFiles others(folder_of(source_.file), kMaxSourceBytes);
+    FolderFiles others(others_, kMaxSourceBytes);
     std::string description = description_;
     for (const std::string& name : names) {
       const auto bytes = others.read(name);
@@ -154,9 +158,24 @@ class Shelf {
   }
 
   fs::path folder_;
-  const PlantSource& source_;
-  std::string description_;  // of all that the plant depends on, but the other files
+  std::string stem_;
+  fs::path others_;
+  std::string description_;
 };
+
+Shelf shelf_of(const fs::path& folder, const PlantSource& source, const PrepareOptions& options) {
+  std::ostringstream text;
+  text << description_of(options) << " of " << source.seed << ' ' << source.system << " name "
+       << source.file.stem().string() << " content " << checksum(content_of(source.file));
+  return {folder, source.file.stem().string(), folder_of(source.file), text.str()};
+}
+
+Shelf shelf_of(const fs::path& folder, std::string_view species, std::uint64_t seed, const PrepareOptions& options) {
+  const std::string_view json = builtin_species_json(species);
+  std::ostringstream text;
+  text << description_of(options) << " species " << seed << " content " << XXH3_64bits(json.data(), json.size());
+  return {folder, std::string(species), ".", text.str()};
+}
 
 }  // namespace
 
@@ -193,13 +212,24 @@ std::optional<fs::path> default_cache_folder() {
 PreparedPlant load_or_prepare(const PlantSource& source, const std::optional<fs::path>& cache_folder,
                               const PrepareOptions& options, const TellLine& tell) {
   std::optional<Shelf> shelf;
-  if (cache_folder && fs::is_regular_file(source.file)) shelf.emplace(*cache_folder, source, options);
+  if (cache_folder && fs::is_regular_file(source.file)) shelf.emplace(shelf_of(*cache_folder, source, options));
   if (shelf)
     if (auto kept = shelf->look(tell)) return std::move(*kept);
   const PlantReading reading = load_plant(source);
   for (const std::string& note : reading.notes) tell(source.file.string() + ": " + note);
   PreparedPlant plant = prepare(reading.plant, options);
   if (shelf) shelf->keep(plant, reading.files, tell);
+  return plant;
+}
+
+PreparedPlant grow_or_prepare(std::string_view species, std::uint64_t seed, const std::optional<fs::path>& cache_folder,
+                              const PrepareOptions& options, const TellLine& tell) {
+  std::optional<Shelf> shelf;
+  if (cache_folder) shelf.emplace(shelf_of(*cache_folder, species, seed, options));
+  if (shelf)
+    if (auto kept = shelf->look(tell)) return std::move(*kept);
+  PreparedPlant plant = prepare(grow_plant(builtin_species(species), seed), options);
+  if (shelf) shelf->keep(plant, {}, tell);
   return plant;
 }
 

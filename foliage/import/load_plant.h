@@ -34,4 +34,9 @@ std::optional<std::filesystem::path> default_cache_folder();
 PreparedPlant load_or_prepare(const PlantSource& source, const std::optional<std::filesystem::path>& cache_folder,
                               const PrepareOptions& options, const TellLine& tell);
 
+/// The same for a built-in species (foliage/import/species.h), grown from a seed.
+PreparedPlant grow_or_prepare(std::string_view species, std::uint64_t seed,
+                              const std::optional<std::filesystem::path>& cache_folder, const PrepareOptions& options,
+                              const TellLine& tell);
+
 }  // namespace manzana::foliage

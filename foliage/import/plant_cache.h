@@ -15,8 +15,8 @@
 
 namespace manzana::foliage {
 
-/// Of files, and of what prepare() makes of a plant: raised whenever either changes.
-inline constexpr std::uint32_t kPlantFormat = 5;
+/// Of files, of what a species' seed grows to, and of what prepare() makes of a plant: raised whenever one changes.
+inline constexpr std::uint32_t kPlantFormat = 6;
 
 std::string encoded(const PreparedPlant& plant);
 

@@ -57,10 +57,12 @@ SpeciesParams parse_species(std::string_view json) {
   }
 }
 
-SpeciesParams builtin_species(std::string_view name) {
+std::string_view builtin_species_json(std::string_view name) {
   const auto found = std::find(kSpeciesNames.begin(), kSpeciesNames.end(), name);
   assert(found != kSpeciesNames.end());
-  return parse_species(kPresets[static_cast<std::size_t>(found - kSpeciesNames.begin())]);
+  return kPresets[static_cast<std::size_t>(found - kSpeciesNames.begin())];
 }
+
+SpeciesParams builtin_species(std::string_view name) { return parse_species(builtin_species_json(name)); }
 
 }  // namespace manzana::foliage

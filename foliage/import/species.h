@@ -13,6 +13,8 @@ inline constexpr std::array<std::string_view, 11> kSpeciesNames{
 
 /// Throws std::runtime_error naming the place (key) of what is wrong.
 SpeciesParams parse_species(std::string_view json);
-SpeciesParams builtin_species(std::string_view name);  ///< asserts that it is one of them
+/// Both assert that it is one of them.
+SpeciesParams builtin_species(std::string_view name);
+std::string_view builtin_species_json(std::string_view name);
 
 }  // namespace manzana::foliage

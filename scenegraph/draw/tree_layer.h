@@ -12,7 +12,7 @@ namespace manzana::draw {
 foliage::HostShaders plant_shaders();
 
 struct TreeLayerGpu {
-  /// `plants`: one for each PlantKind.
+  /// `plants`: one for each PlantSpecies.
   TreeLayerGpu(const TreeLayer& trees, std::span<const foliage::PreparedPlant> plants,
                const foliage::ExtractLimits& limits);
 

@@ -131,7 +131,7 @@ class Builder {
                             .crown_radius_m = static_cast<float>(tree.crown_radius),
                             .yaw = static_cast<float>(6.283185307179586 * hash_unit(options_.seed + 21, i)),
                             .block = block,
-                            .kind = tree.kind,
+                            .species = tree.species.value_or(plain_species(tree.kind)),
                             .tint = static_cast<std::uint8_t>(hash_bits(options_.seed + 22, i) & 255u)};
       trees_[i].box = bounds(trees_[i].instance, frames_[block]);
     }

@@ -6,6 +6,8 @@
 #include <limits>
 #include <span>
 
+#include "scenegraph/import/tree_species.h"
+
 namespace manzana {
 namespace {
 
@@ -112,16 +114,12 @@ std::uint32_t roof_colour_of(const BuildingSite& site, RoofShape roof) {
   return pick(kPitchedRoofPalette, site.id, kRoofColour);
 }
 
-double tree_height(PlantKind kind, std::uint64_t id) {
-  const double u = chance(id, kTreeHeight);
-  if (kind == PlantKind::conifer) return 12 + 8 * u;
-  return kind == PlantKind::shrub ? 1.2 + 1.3 * u : 8 + 7 * u;
+double tree_height(PlantSpecies species, std::uint64_t id) {
+  const TreeHabit habit = habit_of(species);
+  return habit.low + (habit.high - habit.low) * chance(id, kTreeHeight);
 }
 
-double crown_radius(PlantKind kind, double height) {
-  if (kind == PlantKind::conifer) return 0.17 * height;
-  return kind == PlantKind::shrub ? 0.5 * height : 0.27 * height;
-}
+double crown_radius(PlantSpecies species, double height) { return habit_of(species).crown * height; }
 
 int lanes_of(StreetClass kind, bool one_way) {
   if (kind == StreetClass::motorway) return one_way ? 2 : 4;

@@ -15,7 +15,8 @@
 ///             skillion 0.2 w; dome 0.5 w; within 1 to 6 m (pyramidal, dome: 12 m), and at most half the building
 ///   colours   walls from kWallPalette; flat roofs from kFlatRoofPalette, the others from kPitchedRoofPalette
 /// Trees [tree_height, crown_radius]
-///   broadleaf 8 to 15 m, conifer 12 to 20 m, shrub 1.2 to 2.5 m; crown radius 0.27, 0.17, 0.5 of the height
+///   by species: habit_of in tree_species.h; broadleaf 8 to 15 m, conifer 12 to 20 m, shrub 1.2 to 2.5 m; crown radius
+///   0.27, 0.17, 0.5 of the height
 /// Streets [lanes_of, width_of]
 ///   width = lanes * 3.1 m, where told; otherwise by class
 #include <cstdint>
@@ -46,8 +47,8 @@ double roof_height_of(const BuildingSite& site, RoofShape roof, double room);
 std::uint32_t wall_colour_of(const BuildingSite& site);
 std::uint32_t roof_colour_of(const BuildingSite& site, RoofShape roof);
 
-double tree_height(PlantKind kind, std::uint64_t id);
-double crown_radius(PlantKind kind, double height);
+double tree_height(PlantSpecies species, std::uint64_t id);
+double crown_radius(PlantSpecies species, double height);
 
 int lanes_of(StreetClass kind, bool one_way);
 double width_of(StreetClass kind, bool one_way);

@@ -4,6 +4,7 @@
 /// Plan positions are (x, y) in the frame L, metres. Rings are open (the last point is not the first again), in either
 /// direction. Nothing here is trusted: rings may cross themselves, streets may have one point.
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,7 @@ struct TreeFeature {
   Vec2d position{0, 0};
   double height = 10, crown_radius = 3;
   PlantKind kind = PlantKind::broadleaf;
+  std::optional<PlantSpecies> species = {};  ///< of that kind; none: any
 };
 
 struct AreaFeature {

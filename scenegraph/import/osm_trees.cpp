@@ -6,6 +6,7 @@
 #include "scenegraph/import/defaults.h"
 #include "scenegraph/import/osm_features.h"
 #include "scenegraph/import/osm_tags.h"
+#include "scenegraph/import/tree_species.h"
 
 namespace manzana {
 namespace {
@@ -44,15 +45,28 @@ std::optional<double> height_by_girth(TagReader& tags) {
   return 2 + 28 * (1 - std::exp(-60 * *girth / std::numbers::pi / 28));
 }
 
-TreeFeature tree_of(TagReader& tags, const osmium::TagList& list, std::uint64_t id, Vec2d position) {
+PlantSpecies species_of(const osmium::TagList& tags, PlantKind kind, TreePlace place, std::uint64_t identity) {
+  for (const char* key : {"genus", "species", "taxon"}) {
+    const std::string genus = tags[key] == nullptr ? "" : genus_in(tags[key]);
+    if (genus.empty()) continue;
+    const PlantSpecies species = species_of_genus(genus).value_or(plain_species(kind));
+    return kind_of(species) == kind ? species : plain_species(kind);
+  }
+  return species_for(kind, place, identity);
+}
+
+TreeFeature tree_of(TagReader& tags, const osmium::TagList& list, std::uint64_t id, Vec2d position, TreePlace place,
+                    std::uint64_t identity) {
   TreeFeature tree;
   tree.position = position;
   tree.kind = plant_kind(list);
+  const PlantSpecies species = species_of(list, tree.kind, place, identity);
+  tree.species = species;
   const auto by_girth = height_by_girth(tags);
   const auto height = tags.length("height", {0.3, 120});
-  tree.height = height ? *height : by_girth.value_or(tree_height(tree.kind, id));
+  tree.height = height ? *height : by_girth.value_or(tree_height(species, id));
   const auto crown = tags.length("diameter_crown", {0.2, 60});
-  tree.crown_radius = crown ? *crown / 2 : crown_radius(tree.kind, tree.height);
+  tree.crown_radius = crown ? *crown / 2 : crown_radius(species, tree.height);
   return tree;
 }
 
@@ -64,6 +78,7 @@ void read_tree_row(const osmium::Way& way, const OsmShapes& shapes, CityFeatures
     city.issues.push_back({where, "fewer than two nodes are in the file"});
     return;
   }
+  const auto row = static_cast<std::uint64_t>(way.id());
   std::uint64_t index = 0;
   double next = kTreeRowStep / 2, start = 0;
   for (std::size_t i = 1; i < line.points.size(); ++i) {
@@ -71,7 +86,7 @@ void read_tree_row(const osmium::Way& way, const OsmShapes& shapes, CityFeatures
     const double length = glm::length(b - a);
     for (; next <= start + length && length > 0; next += kTreeRowStep) {
       const std::uint64_t id = static_cast<std::uint64_t>(way.id()) * 1000003u + index++;
-      TreeFeature tree = tree_of(tags, way.tags(), id, a + (b - a) * ((next - start) / length));
+      TreeFeature tree = tree_of(tags, way.tags(), id, a + (b - a) * ((next - start) / length), TreePlace::row, row);
       city.trees.push_back(tree);
     }
     start += length;
@@ -100,7 +115,8 @@ void read_trees(const OsmFile& osm, const OsmShapes& shapes, CityFeatures& city)
     const std::string where = where_of(*node);
     TagReader tags(node->tags(), where, city.issues);
     if (position) {
-      city.trees.push_back(tree_of(tags, node->tags(), static_cast<std::uint64_t>(node->id()), *position));
+      const auto id = static_cast<std::uint64_t>(node->id());
+      city.trees.push_back(tree_of(tags, node->tags(), id, *position, TreePlace::park, id));
     } else {
       city.issues.push_back({where, "too far from the rest of the data"});
     }

@@ -10,6 +10,7 @@
 #include "scenegraph/import/meshes.h"
 #include "scenegraph/import/plan_geometry.h"
 #include "scenegraph/import/plan_index.h"
+#include "scenegraph/import/tree_species.h"
 
 namespace manzana {
 namespace {
@@ -60,23 +61,16 @@ struct Forbidden {
   bool at(const Vec2d& p) const { return lines.hit(p) || grounds.contains(p); }
 };
 
-/// Crowns in metres a metre of height, and heights.
-struct Habit {
-  double low, high, crown;
-};
-Habit habit(PlantKind kind) {
-  if (kind == PlantKind::conifer) return {11, 23, 0.15};
-  if (kind == PlantKind::shrub) return {1.2, 3, 0.45};
-  return {8, 17, 0.24};
-}
-
 TreeFeature tree_at(const Vec2d& p, const AreaFeature& area, double cell, std::uint64_t hash) {
+  constexpr double kTaller = 1.13, kNarrower = 0.9;  // than those that stand free
   const std::uint64_t a = splitmix(hash), b = splitmix(a), c = splitmix(b);
   TreeFeature tree{p, 0, 0, area.tree_kind};
   if (area.mixed) tree.kind = unit(a) < 0.5 ? PlantKind::broadleaf : PlantKind::conifer;
-  const Habit h = habit(tree.kind);
-  tree.height = h.low + (h.high - h.low) * unit(b);
-  tree.crown_radius = std::min(tree.height * h.crown * (0.85 + 0.3 * unit(c)), 0.75 * cell);  // neighbours may mingle
+  tree.species = species_for(tree.kind, area.kind == Material::wood ? TreePlace::wood : TreePlace::park, splitmix(c));
+  const TreeHabit h = habit_of(*tree.species);
+  tree.height = h.low + (kTaller * h.high - h.low) * unit(b);
+  const double crown = kNarrower * tree.height * h.crown * (0.85 + 0.3 * unit(c));
+  tree.crown_radius = std::min(crown, 0.75 * cell);  // neighbours may mingle
   return tree;
 }
 

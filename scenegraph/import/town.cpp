@@ -8,6 +8,7 @@
 #include "culling/hash.h"
 #include "scenegraph/import/import.h"
 #include "scenegraph/import/town_lots.h"
+#include "scenegraph/import/tree_species.h"
 
 namespace manzana {
 namespace {
@@ -120,30 +121,25 @@ class Town {
     avenue_trees();
   }
 
-  // Plane trees on both sides of everything wider than a lane.
+  // One species for each street, on both sides of everything wider than a lane.
   void avenue_trees() {
     for (std::size_t s = 0; s < city_.streets.size(); ++s) {
       const StreetFeature& street = city_.streets[s];
       if (street.width <= kLane.width || street.bridge) continue;
       for (std::size_t k = 0; k + 1 < street.line.size(); ++k)
         for (const double side : {-1.0, 1.0})
-          tree_row(street.line[k], street.line[k + 1], side * (street.width / 2 + 1.2));
+          tree_row(street.line[k], street.line[k + 1], side * (street.width / 2 + 1.2),
+                   species_for(PlantKind::broadleaf, TreePlace::row, hash_bits(seed_ + 12, s)));
     }
   }
-  void tree_row(const Vec2d& a, const Vec2d& b, double offset) {
+  void tree_row(const Vec2d& a, const Vec2d& b, double offset, PlantSpecies species) {
     const Vec2d d = glm::normalize(b - a), n{-d.y, d.x};
     const double clear = 17;  // of junctions
-    for (double s = clear; s < glm::length(b - a) - clear; s += 11)
-      tree(a + s * d + offset * n, 9, 13, PlantKind::broadleaf);
+    for (double s = clear; s < glm::length(b - a) - clear; s += 11) tree(a + s * d + offset * n, 9, 13, species);
   }
-  void tree(const Vec2d& p, double low, double high, PlantKind kind) {
+  void tree(const Vec2d& p, double low, double high, PlantSpecies species) {
     const double u = hash_unit(seed_ + 11, city_.trees.size());
-    const double height = low + (high - low) * u;
-    city_.trees.push_back({p, height,
-                           height * (kind == PlantKind::conifer ? 0.22
-                                     : kind == PlantKind::shrub ? 0.6
-                                                                : 0.36),
-                           kind});
+    city_.trees.push_back(free_tree(p, low + (high - low) * u, species));
   }
 
   void area(const std::string& where, std::vector<Vec2d> outer, Material kind, double trees_per_ha = 0,
@@ -208,7 +204,7 @@ class Town {
     add_building("church, choir", rectangle(c + 20.0 * d, d, 6, 9), 0, 13, 1, RoofShape::hipped, 4, 0xcdbf9f, 0x7a4a3a);
     for (const double side : {-1.0, 1.0})
       for (int k = -2; k <= 2; ++k)
-        tree(c + d * (12.0 * k) + Vec2d(-d.y, d.x) * (side * 22), 7, 9, PlantKind::broadleaf);
+        tree(c + d * (12.0 * k) + Vec2d(-d.y, d.x) * (side * 22), 10, 13, PlantSpecies::palm);
   }
 
   void add_building(std::string where, std::vector<Vec2d> ring, double min_height, double height, int levels,

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "culling/hash.h"
+#include "scenegraph/import/tree_species.h"
 
 namespace manzana {
 namespace {
@@ -143,12 +144,8 @@ class Filler {
       const double u = unit(), height = within(4, 10);
       if (!inside(ring_, p, 1.5) || near_building(first, p, 3.2)) continue;
       const PlantKind kind = u < 0.62 ? PlantKind::broadleaf : u < 0.75 ? PlantKind::conifer : PlantKind::shrub;
-      const double h = kind == PlantKind::shrub ? 1 + height / 8 : height;
-      city_.trees.push_back({p, h,
-                             h * (kind == PlantKind::conifer ? 0.22
-                                  : kind == PlantKind::shrub ? 0.6
-                                                             : 0.36),
-                             kind});
+      const PlantSpecies species = species_for(kind, TreePlace::garden, hash_bits(style_.seed + 1, counter_));
+      city_.trees.push_back(free_tree(p, kind == PlantKind::shrub ? 1 + height / 8 : height, species));
     }
   }
   bool near_building(std::size_t first, const Vec2d& p, double margin) const {

@@ -196,7 +196,7 @@ std::vector<foliage::PreparedPlant> simple_plants() {
   for (std::uint32_t i = 0; i < 24; ++i) plant.terminals.push_back({.triangles = {i, i + 1}});
   plant.leaf_image = plain_image(60, 130, 40);
   plant.bark_image = plain_image(110, 80, 50);
-  return std::vector<foliage::PreparedPlant>(static_cast<std::size_t>(PlantKind::count), prepare(plant));
+  return std::vector<foliage::PreparedPlant>(kPlantSpecies, prepare(plant));
 }
 
 VisibleSets visible(const Scene& scene, const culling::View& view, Structure structure) {

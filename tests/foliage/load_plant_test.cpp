@@ -5,7 +5,9 @@
 #include <stdexcept>
 
 #include "files/whole_file.h"
+#include "foliage/generate.h"
 #include "foliage/import/plant_cache.h"
+#include "foliage/import/species.h"
 #include "tests/support/data.h"
 #include "tests/support/temporary_folder.h"
 
@@ -93,6 +95,23 @@ TEST_CASE("plants are kept prepared, by content and options") {
   load("a");
   CHECK(plants_in(cache).size() == 5);
   CHECK(lines.empty());
+}
+
+TEST_CASE("built-in species are kept prepared, by name and seed") {
+  const TemporaryFolder folder;
+  const fs::path cache = folder.path() / "cache";
+  const auto grow = [&](std::string_view name, std::uint64_t seed) {
+    return encoded(grow_or_prepare(name, seed, cache, {.visibility_side = 0}, [](const std::string&) { FAIL(); }));
+  };
+  const std::string first = grow("shrub", 3);
+  REQUIRE(plants_in(cache).size() == 1);
+  const auto written = fs::last_write_time(plants_in(cache)[0]);
+  CHECK(grow("shrub", 3) == first);
+  CHECK(fs::last_write_time(plants_in(cache)[0]) == written);
+  CHECK(first == encoded(prepare(grow_plant(builtin_species("shrub"), 3), {.visibility_side = 0})));
+  CHECK(grow("shrub", 4) != first);
+  CHECK(grow("palm", 3) != first);
+  CHECK(plants_in(cache).size() == 3);
 }
 
 TEST_CASE("plants that are kept damaged are made again, with one line that says so") {

@@ -57,9 +57,9 @@ TEST_CASE("options: every option arrives") {
   CHECK(o.seed == 18446744073709551615ULL);
   CHECK(o.cars == 7);
   REQUIRE(o.plants.size() == 2);
-  CHECK(o.plants[0].kind == PlantKind::conifer);
+  CHECK(o.plants[0].species == PlantSpecies::conifer);
   CHECK(o.plants[0].file == "a=b.glb");
-  CHECK(o.plants[1].kind == PlantKind::shrub);
+  CHECK(o.plants[1].species == PlantSpecies::shrub);
 }
 
 TEST_CASE("options: how much of trees is drawn") {

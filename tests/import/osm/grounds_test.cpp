@@ -2,8 +2,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "scenegraph/import/osm_features.h"
+#include "scenegraph/import/tree_species.h"
 #include "tests/import/osm/written.h"
 
 using namespace manzana;
@@ -49,6 +51,41 @@ TEST_CASE("kinds of plants") {
   CHECK(only_tree({{row.key, row.value}}).kind == row.kind);
 }
 
+TEST_CASE("species of trees: by genus, else any of their kind") {
+  struct Row {
+    const char *key, *value;
+    PlantSpecies species;
+  };
+  const auto row =
+      GENERATE(Row{"species", "Quercus robur", PlantSpecies::oak}, Row{"genus", "Betula", PlantSpecies::birch},
+               Row{"taxon", "Populus nigra 'Italica'", PlantSpecies::poplar}, Row{"genus", "Pinus", PlantSpecies::pine},
+               Row{"genus", "Salix", PlantSpecies::willow}, Row{"species", "Tilia cordata", PlantSpecies::lime},
+               Row{"genus", "Phoenix", PlantSpecies::palm}, Row{"species", "Malus domestica", PlantSpecies::apple},
+               Row{"genus", "Platanus", PlantSpecies::broadleaf}, Row{"genus", "Picea", PlantSpecies::conifer},
+               Row{"genus", "Syringa", PlantSpecies::shrub});
+  CAPTURE(row.key, row.value);
+  CHECK(only_tree({{row.key, row.value}}).species == row.species);
+  const TreeFeature untold = only_tree({{"leaf_type", "needleleaved"}});
+  CHECK(kind_of(untold.species.value()) == PlantKind::conifer);
+}
+
+TEST_CASE("species of trees: a row has one, many trees have many, and each the same again") {
+  std::set<PlantSpecies> of_rows, of_trees;
+  for (std::uint64_t id = 0; id < 200; ++id) {
+    const PlantSpecies row = species_for(PlantKind::broadleaf, TreePlace::row, id);
+    of_rows.insert(row);
+    of_trees.insert(species_for(id % 3 == 0 ? PlantKind::conifer : PlantKind::broadleaf, TreePlace::park, id));
+    CHECK(species_for(PlantKind::broadleaf, TreePlace::row, id) == row);
+  }
+  CHECK(of_rows.size() == 5);
+  CHECK(of_trees.size() == 9);
+  Written osm;
+  osm.way(10, osm.line({{0, 0}, {60, 0}}), {{"natural", "tree_row"}});
+  const CityFeatures city = osm.read();
+  REQUIRE(city.trees.size() > 4);
+  for (const TreeFeature& tree : city.trees) CHECK(tree.species == city.trees[0].species);
+}
+
 TEST_CASE("sizes of trees: told, by girth, by rule") {
   CHECK(only_tree({{"height", "21,5"}}).height == Approx(21.5));
   CHECK(only_tree({{"diameter_crown", "9"}}).crown_radius == Approx(4.5));
@@ -58,8 +95,12 @@ TEST_CASE("sizes of trees: told, by girth, by rule") {
   CHECK(only_tree({{"circumference", "250"}}).height == Approx(stout));  // typed in centimetres
   CHECK(stout < 31);
   const TreeFeature odd = only_tree({{"height", "1e9"}, {"diameter_crown", "-2"}});
-  CHECK((odd.height >= 8 && odd.height <= 15));
-  CHECK(odd.crown_radius == Approx(0.27 * odd.height));
+  const TreeHabit habit = habit_of(odd.species.value());
+  CHECK((odd.height >= habit.low && odd.height <= habit.high));
+  CHECK(odd.crown_radius == Approx(habit.crown * odd.height));
+  const TreeFeature plain = only_tree({{"genus", "Platanus"}});
+  CHECK((plain.height >= 8 && plain.height <= 15));
+  CHECK(plain.crown_radius == Approx(0.27 * plain.height));
 }
 
 TEST_CASE("a tree row is a tree every eight metres") {

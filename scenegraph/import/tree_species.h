@@ -1,0 +1,30 @@
+#pragma once
+/// Which species stands where nothing says so, and how large its trees are.
+///   tree.species = species_for(PlantKind::broadleaf, TreePlace::row, way_id);
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "scenegraph/import/features.h"
+
+namespace manzana {
+
+/// Each has species of its own: those that are planted in rows, fruit trees in gardens.
+enum class TreePlace : std::uint8_t { park, row, garden, wood };
+
+/// Equal identities in like places are equal species: give the trees of a street, or of a row, the same.
+PlantSpecies species_for(PlantKind kind, TreePlace place, std::uint64_t identity);
+
+/// Of a genus in lower case; of those that are not here, nothing.
+std::optional<PlantSpecies> species_of_genus(std::string_view genus);
+
+/// Metres, and metres of the crown's radius a metre of height.
+struct TreeHabit {
+  double low, high, crown;
+};
+TreeHabit habit_of(PlantSpecies species);
+
+/// One that stands free, so with a wide crown. `height`: of a plain tree of its kind.
+TreeFeature free_tree(const Vec2d& at, double height, PlantSpecies species);
+
+}  // namespace manzana
