@@ -14,7 +14,7 @@ namespace {
 
 std::vector<foliage::PreparedPlant> grown_plants() {
   std::vector<foliage::PreparedPlant> plants;
-  for (const char* name : {"broadleaf", "conifer", "shrub"})
+  for (const std::string_view name : foliage::kSpeciesNames)
     plants.push_back(prepare(grow_plant(foliage::builtin_species(name), 3), {.visibility_side = 0}));
   return plants;
 }
@@ -27,7 +27,7 @@ Scene make_avenue(int trees) {
     tree.position = {i % 2 == 0 ? -6 : 6, 8 + 3 * static_cast<float>(i), 0};
     tree.height_m = 11;
     tree.crown_radius_m = 4;
-    tree.species = static_cast<PlantSpecies>(i % 3);
+    tree.species = static_cast<PlantSpecies>(i % static_cast<int>(kPlantSpecies));
     block.trees.push_back(tree);
   }
   return make_scene({block});
