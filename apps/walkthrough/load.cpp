@@ -58,6 +58,21 @@ class SharedBar {
   std::vector<double> done_;
 };
 
+void load_those(const Options& options, bool from_files, Plants& plants) {
+  std::vector<std::size_t> those;
+  for (std::size_t i = 0; i < plants.size(); ++i)
+    if ((file_for(options, static_cast<PlantSpecies>(i)) != nullptr) == from_files) those.push_back(i);
+  SharedBar bar("plants", those.size());
+  const bool asks = options.tree_law == foliage::Law::prune || options.tree_law == foliage::Law::ramp;
+  tbb::parallel_for(std::size_t{0}, those.size(), [&](std::size_t task) {
+    foliage::PrepareOptions how;
+    if (!asks) how.visibility_side = 0;  // the others do not ask for it
+    how.progress = [&bar, task](double done) { bar.tell(task, done); };
+    plants[those[task]] = load_plant(options, those[task], how);
+    bar.tell(task, 1);
+  });
+}
+
 }  // namespace
 
 Imported load_city(const Options& options) {
@@ -66,19 +81,13 @@ Imported load_city(const Options& options) {
   return import_city(options.city, how, [&](std::string_view stage, double fraction) { bar.show(stage, fraction); });
 }
 
-std::vector<foliage::PreparedPlant> load_plants(const Options& options) {
-  std::vector<foliage::PreparedPlant> plants(kPlantSpecies);
-  SharedBar bar("plants", plants.size());
-  const bool asks = options.tree_law == foliage::Law::prune || options.tree_law == foliage::Law::ramp;
-  tbb::parallel_for(std::size_t{0}, plants.size(), [&](std::size_t i) {
-    foliage::PrepareOptions how;
-    if (!asks) how.visibility_side = 0;  // the others do not ask for it
-    how.progress = [&bar, i](double done) { bar.tell(i, done); };
-    plants[i] = load_plant(options, i, how);
-    bar.tell(i, 1);
-  });
+Plants load_named_plants(const Options& options) {
+  Plants plants(kPlantSpecies);
+  load_those(options, true, plants);
   return plants;
 }
+
+void load_other_plants(const Options& options, Plants& plants) { load_those(options, false, plants); }
 
 std::string report_line(const Imported& city) {
   const ImportReport& r = city.report;

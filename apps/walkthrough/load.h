@@ -11,9 +11,11 @@ namespace manzana::walkthrough {
 /// With a progress bar on stderr. Throws as import_city does.
 Imported load_city(const Options& options);
 
-/// One model for each PlantSpecies: built in, or the files of --plant; kept prepared from one start to the next. With a
-/// progress bar on stderr. Throws as load_plant does.
-std::vector<foliage::PreparedPlant> load_plants(const Options& options);
+/// One model for each PlantSpecies: the files of --plant, then, for the others, our own; kept prepared from one start
+/// to the next. With a progress bar on stderr. Throws as load_plant does.
+using Plants = std::vector<foliage::PreparedPlant>;
+Plants load_named_plants(const Options& options);
+void load_other_plants(const Options& options, Plants& plants);
 
 /// Blocks, objects a block, how many fell back; one line.
 std::string report_line(const Imported& city);

@@ -29,9 +29,10 @@ void run(const Options& options) {
     std::fprintf(stderr, "no display: drawing the path %s to files in %s\n", options.path.c_str(), options.out.c_str());
   CameraPath path;
   if (!is_builtin_path(options.path)) path = read_path(options.path);
-  const auto plants = load_plants(options);
+  Plants plants = load_named_plants(options);
   if (!display.open()) files::make_folder(options.out);
   const Imported city = load_city(options);
+  load_other_plants(options, plants);
   print_city(city);
   if (path.keys.empty()) path = builtin_path(options.path, city.scene);
   display.open() ? run_window(options, city, plants, path) : run_headless(options, city, plants, path);
