@@ -49,6 +49,7 @@ draw::DrawOptions options_within_budget(const Stage& stage) {
 Stage::Stage(const Scene& city, std::span<const foliage::PreparedPlant> plants, const draw::Quality& quality,
              draw::Size first_size)
     : scene(city), renderer(city, plants, quality), sets(city), size(first_size) {
+  options.tree_error_px = quality.tree_error_px;
   renderer.resize(size);
 }
 
@@ -60,7 +61,7 @@ void Stage::resize(draw::Size new_size) {
 
 void apply(const Options& options, Stage& stage) {
   stage.structure = options.structure;
-  stage.options.tree_error_px = options.tree_error_px;
+  if (options.tree_error_px) stage.options.tree_error_px = *options.tree_error_px;
   stage.options.tree_vertices = options.tree_vertices;
   stage.tree_ms = options.tree_ms;
   stage.options.tree_law = options.tree_law;

@@ -43,7 +43,11 @@ std::vector<FrameRow> draw_path(const Options& options, Stage& stage, const Came
   return rows;
 }
 
-void warn(std::span<const FrameRow> rows) {
+void warn(const Options& options, std::span<const FrameRow> rows) {
+  const auto other_law = [&](const FrameRow& row) { return row.trees_visible > 0 && row.tree_law != options.tree_law; };
+  if (const auto n = std::count_if(rows.begin(), rows.end(), other_law); n > 0)
+    std::fprintf(stderr, "no room for what %s shows of trees: in %td of %zu frames %s shows less\n",
+                 name_of(options.tree_law), n, rows.size(), name_of(foliage::Law::ours));
   const auto missing = [](const FrameRow& row) { return row.trees_missing > 0; };
   if (std::any_of(rows.begin(), rows.end(), missing)) std::fprintf(stderr, "%s\n", kTreesMissing);
 }
@@ -71,7 +75,7 @@ void run_headless(const Options& options, const Imported& city, std::span<const 
   files::write_whole(options.out / "frames.csv", to_csv(rows));
   files::write_whole(options.out / "issues.txt", issue_table(city.issues));
   files::write_whole(options.out / "summary.json", summary_json(options, city, rows, facts));
-  warn(rows);
+  warn(options, rows);
   print_result(options, rows);
 }
 

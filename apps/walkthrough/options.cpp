@@ -92,9 +92,9 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
       ->capture_default_str();
   app.add_option("--cars", options.cars, "how many; without it the length of the streets decides")
       ->check(CLI::Range(0, 1000000));
-  app.add_option("--tree-error", options.tree_error_px, "pixels that may be wrong in trees")
-      ->check(within(0.01, 1000))
-      ->capture_default_str();
+  app.add_option("--tree-error", options.tree_error_px,
+                 "pixels that may be wrong in trees; without it 1, at quality low 2")
+      ->check(within(0.01, 1000));
   app.add_option("--tree-vertices", options.tree_vertices, "budget of a frame that may raise the error; 0: none")
       ->check(within(0, 1e9))
       ->capture_default_str();

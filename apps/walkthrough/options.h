@@ -4,6 +4,7 @@
 ///   if (!parsed.options) return apps::reply(parsed);        // --help, --version or wrong usage
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,8 @@ struct Options {
   std::uint64_t seed = 1;
   int cars = -1;  ///< -1: by the length of the streets
   std::vector<PlantFile> plants;
-  double tree_error_px = 1, tree_vertices = 0, tree_ms = 0;
+  std::optional<double> tree_error_px;  ///< without it the quality decides
+  double tree_vertices = 0, tree_ms = 0;
   foliage::Law tree_law = foliage::Law::ours;
   bool trees_by_node = false, wind = true;
 };

@@ -12,7 +12,7 @@ Quality quality_for(std::string_view renderer) {
 
 Quality quality_named(std::string_view name) {
   if (name == "high") return {};
-  if (name == "low") return {.samples = 1, .tree_detail = 0.5, .car_detail = 0.6, .shadows = true};
+  if (name == "low") return {.samples = 1, .tree_error_px = 2, .car_detail = 0.6, .shadows = true};
   throw std::invalid_argument("no quality is named \"" + std::string(name) + "\": low or high");
 }
 

@@ -163,8 +163,8 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const cu
   clear(s.target, frame);
   s.upload_frame(sets, frame);
   if (options.layers.trees) {
-    const double error_px = options.tree_error_px / s.quality.tree_detail;
-    const TreeDetail detail{options.tree_law, error_px / f_px, options.tree_vertices, options.trees_by_node};
+    const TreeDetail detail{options.tree_law, options.tree_error_px / f_px, options.tree_vertices,
+                            options.trees_by_node};
     extract_trees(s.trees, scene.trees, sets.objects(), s.rows, detail, s.stream);
     counts.tree_error_px = s.trees.law == foliage::Law::full ? 0 : s.trees.error_at_1m * f_px;
     counts.tree_law = s.trees.law;

@@ -20,8 +20,8 @@ namespace manzana::draw {
 
 /// What a device is asked for. By the renderer's name, never by measured time, so that two runs give equal pictures.
 struct Quality {
-  int samples = 4;         ///< 1: no multisampling; else leaves use alpha-to-coverage
-  double tree_detail = 1;  ///< the error that is tolerated in trees is divided by it
+  int samples = 4;           ///< 1: no multisampling; else leaves use alpha-to-coverage
+  double tree_error_px = 1;  ///< for DrawOptions, where nobody asks for another
   double car_detail = 1;
   bool shadows = true;  ///< soft dark ground under cars and trees
 };

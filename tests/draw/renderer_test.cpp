@@ -330,7 +330,7 @@ TEST_CASE("quality goes by the renderer's name") {
   CHECK(quality_for("llvmpipe (LLVM 15.0.6, 256 bits)").samples == 1);
   CHECK(quality_for("Google SwiftShader").samples == 1);
   CHECK(quality_for("NVIDIA GeForce RTX 3060/PCIe/SSE2").samples == 4);
-  CHECK(quality_named("high").tree_detail > quality_named("low").tree_detail);
+  CHECK(quality_named("high").tree_error_px < quality_named("low").tree_error_px);
   CHECK_THROWS_AS(quality_named("medium"), std::invalid_argument);
 }
 

@@ -68,6 +68,7 @@ TEST_CASE("options: how much of trees is drawn") {
   CHECK(plain.options->tree_law == foliage::Law::ours);
   CHECK(plain.options->wind);
   CHECK(plain.options->tree_ms == 0);
+  CHECK_FALSE(plain.options->tree_error_px);
   const Parsed parsed = parse({"--tree-error", "2.5", "--tree-vertices", "300000", "--tree-ms", "12.5", "--tree-law",
                                "gumbau", "--dispatch", "node", "--no-wind"});
   REQUIRE(parsed.options);

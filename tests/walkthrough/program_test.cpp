@@ -110,6 +110,25 @@ TEST_CASE("program: without the structure the same picture, from everything that
   CHECK(with["median"]["triangles"] < without["median"]["triangles"]);
 }
 
+TEST_CASE("program: the error in trees is what was asked for, and a law without room says so") {
+  const TemporaryFolder folder;
+  const auto errors_of = [&](std::vector<std::string> more) {
+    const Ended ended =
+        run_walkthrough(folder.path(), small_run(folder.path() / "out", "builtin:town", std::move(more)));
+    REQUIRE(ended.code == 0);
+    std::istringstream lines(read_all(folder.path() / "out" / "frames.csv"));
+    std::string line;
+    std::getline(lines, line);
+    std::vector<double> errors;
+    while (std::getline(lines, line)) errors.push_back(std::stod(line.substr(line.rfind(',') + 1)));
+    return std::pair(errors, ended.err);
+  };
+  for (const double error : errors_of({"--tree-error", "3"}).first) CHECK(error == 3);
+  for (const double error : errors_of({"--quality", "high"}).first) CHECK(error == 1);
+  const auto [errors, said] = errors_of({"--tree-law", "gadbem"});
+  CHECK(said.find("no room for what gadbem shows") != std::string::npos);
+}
+
 TEST_CASE("program: no display and no --headless goes headless and says so") {
   const TemporaryFolder folder;
   auto arguments = small_run(folder.path() / "out", "builtin:town", {"--frames", "1"});
