@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "foliage/fill_colour.h"
 #include "foliage/leaf_form.h"
 #include "foliage/leaf_points.h"
 #include "foliage/leaf_scale.h"
@@ -36,8 +37,8 @@ std::vector<std::uint32_t> order_of(const std::vector<std::uint64_t>& keys) {
 /// Fills a PreparedPlant from leaves, step by step.
 class LeafCloud {
  public:
-  LeafCloud(const Plant& plant, const PrepareOptions& options, PreparedPlant& ready)
-      : plant_(plant), options_(options), ready_(ready), points_(plant.leaf_image), source_(leaf_quads(plant)) {}
+  LeafCloud(const Plant& plant, LeafQuads source, const PrepareOptions& options, PreparedPlant& ready)
+      : plant_(plant), source_(std::move(source)), options_(options), ready_(ready), points_(ready.leaf_image) {}
 
   /// Shares of the work as they are for 131 000 leaves.
   void run(const Progress& progress) {
@@ -191,10 +192,10 @@ class LeafCloud {
   static constexpr double kLarge = 8;  // times the mean area of quads
 
   const Plant& plant_;
+  const LeafQuads source_;
   const PrepareOptions& options_;
   PreparedPlant& ready_;
   QuadPoints points_;
-  LeafQuads source_;
   std::vector<std::uint32_t> leaf_of_;  // for each of ready_.leaves its terminal
   double mean_area_ = 0;
 };
@@ -202,7 +203,9 @@ class LeafCloud {
 }  // namespace
 
 void prepare_leaves(const Plant& plant, const PrepareOptions& options, PreparedPlant& ready) {
-  LeafCloud(plant, options, ready).run(options.progress);
+  LeafQuads source = leaf_quads(plant);
+  fill_unused(ready.leaf_image, source.quads);  // first: all that is fitted must be to the picture that is drawn
+  LeafCloud(plant, std::move(source), options, ready).run(options.progress);
 }
 
 }  // namespace manzana::foliage
