@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
 
 namespace manzana::foliage {
 namespace {
@@ -18,18 +17,6 @@ double mean_visibility(const PlantTable& table, const PlantHead& plant) {
   return sum / (255 * static_cast<double>(n));
 }
 
-double leaf_quads(const PlantTable& table, const PlantHead& plant) {
-  const auto first = table.cells.begin() + plant.first_cell;
-  return std::accumulate(first, first + plant.cells, 0.0,
-                         [](double sum, const CellHead& cell) { return sum + cell.count; });
-}
-
-double lines_from(const PlantTable& table, const PlantHead& plant, std::uint32_t level, std::uint32_t branch) {
-  const std::size_t row =
-      plant.first_line_row + std::size_t{std::min(level, plant.line_levels - 1)} * (plant.branches + 1);
-  return table.steps[row + plant.branches].x - table.steps[row + branch].x;
-}
-
 /// The mesh and the lines of a level, as the shader's branch_step() has them.
 double branch_quads(const PlantTable& table, const PlantHead& plant, const Detail& d) {
   if (plant.bark_levels == 0) return 0;
@@ -39,8 +26,8 @@ double branch_quads(const PlantTable& table, const PlantHead& plant, const Detai
   const glm::uvec2 step =
       table.steps[plant.first_step + plant.bark[level].y + last - std::min(static_cast<std::uint32_t>(gone), last)];
   const auto fine = static_cast<std::uint32_t>(d.line_level);
-  const double lines = std::lerp(lines_from(table, plant, fine, step.y), lines_from(table, plant, fine + 1, step.y),
-                                 static_cast<double>(d.line_level) - fine);
+  const double from = lines_from(table, plant, fine, step.y), to = lines_from(table, plant, fine + 1, step.y);
+  const double lines = std::lerp(from, to, static_cast<double>(d.line_level) - fine);
   return step.x + static_cast<double>(d.lines) * lines;
 }
 

@@ -87,8 +87,7 @@ void set_lines(Detail& d, const PreparedPlant& plant, double error_m) {
 }  // namespace
 
 void set_leaves(Detail& d, double share, double scale) {
-  constexpr double kFade = 0.3;
-  const double fade = kFade * std::min(1.0, 4 * (1 - share));
+  const double fade = static_cast<double>(glsl::kLeafFade) * std::min(1.0, 4 * (1 - share));
   d.share = static_cast<float>(std::min(1.0, share / (1 - fade / 2)));
   d.scale = static_cast<float>(scale);
   d.fade = static_cast<float>(fade);

@@ -9,7 +9,7 @@ namespace {
 /// What rounding of floats may add.
 constexpr double kSlack = 1e-3;
 /// More leaves are shown where some shrink away: select.glsl, cell_item().
-constexpr double kMostShrinking = 1.15;
+const double kMostShrinking = 1 + static_cast<double>(glsl::kLeafFade) / 2;
 
 double groups(double primitives, std::uint32_t size) { return std::ceil(primitives / size); }
 
@@ -34,20 +34,15 @@ struct BranchSteps {
   }
 };
 
-double lines_at(const PlantTable& table, const PlantHead& plant, std::uint32_t level, std::uint32_t branches) {
-  const std::uint32_t row = plant.first_line_row + level * (plant.branches + 1);
-  return table.steps[row + plant.branches].x - table.steps[row + branches].x;
-}
-
 /// Of the levels that these details may choose, one more by chance.
 double most_lines(const PlantTable& table, const PlantHead& plant, const Detail& a, const Detail& b,
                   std::uint32_t branches) {
   const auto [low, high] = std::minmax({a.line_level, b.line_level});
   const std::uint32_t coarsest = plant.line_levels - 1;
-  double most = 0;
+  std::uint32_t most = 0;
   for (auto l = std::min(static_cast<std::uint32_t>(low), coarsest);
        l <= std::min(static_cast<std::uint32_t>(high) + 1, coarsest); ++l)
-    most = std::max(most, lines_at(table, plant, l, branches));
+    most = std::max(most, lines_from(table, plant, l, branches));
   return most * static_cast<double>(std::max(a.lines, b.lines));
 }
 

@@ -36,6 +36,4 @@ std::uint64_t kept(std::uint64_t n, double lod, double threshold) {
   return std::min(n, static_cast<std::uint64_t>(static_cast<double>(n) * lod + threshold));
 }
 
-double area_factor(double n, double k, double most) { return k > 0 ? std::clamp(n / k, 1.0, most) : 1.0; }
-
 }  // namespace manzana::foliage

@@ -44,7 +44,4 @@ std::uint64_t kept(std::uint64_t n, double lod);
 /// none at lod 0.
 std::uint64_t kept(std::uint64_t n, double lod, double threshold);
 
-/// By which area each leaf grows where k are drawn of the n that are in view; at most `most`. 1 where k is 0.
-double area_factor(double n, double k, double most = 8);
-
 }  // namespace manzana::foliage

@@ -6,6 +6,7 @@
 #include "apps/culling_benchmark/paper_colour.h"
 #include "culling_benchmark_parts_shaders.h"
 #include "gl/program.h"
+#include "gl/vertex_array.h"
 #include "scenegraph/draw/camera.h"
 
 namespace manzana::paper {
@@ -25,8 +26,8 @@ void attribute(GLuint array, Attribute which, Binding binding, GLint size, GLenu
 }
 
 gl::VertexArray make_array(bool instances) {
-  GLuint name = 0;
-  glCreateVertexArrays(1, &name);
+  gl::VertexArray array = gl::make_vertex_array();
+  const GLuint name = array.name();
   attribute(name, kPosition, kCorners, 3, GL_FLOAT, offsetof(Corner, position));
   attribute(name, kColour, kCorners, 4, GL_UNSIGNED_BYTE, offsetof(Corner, colour));
   if (instances) {
@@ -35,7 +36,7 @@ gl::VertexArray make_array(bool instances) {
     attribute(name, kTint, kInstances, 4, GL_UNSIGNED_BYTE, offsetof(CarInstance, tint));
     glVertexArrayBindingDivisor(name, kInstances, 1);
   }
-  return gl::VertexArray(name);
+  return array;
 }
 
 /// Two triangles, far beyond every city, a little under it.

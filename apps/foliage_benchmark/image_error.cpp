@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "apps/common/quantile.h"
+#include "foliage/leaf_image.h"
 
 namespace manzana::foliage_benchmark {
 namespace {
@@ -36,7 +37,7 @@ Plane make_plane(int width, int height, F&& f) {
 Plane luma_of(const Picture& picture) {
   return make_plane(picture.width, picture.height, [&](int x, int y) {
     const Vec3 light = seen_at(picture.at(x, y));
-    return 255 * (0.2126F * to_srgb(light.x) + 0.7152F * to_srgb(light.y) + 0.0722F * to_srgb(light.z));
+    return 255 * foliage::luminance({to_srgb(light.x), to_srgb(light.y), to_srgb(light.z)});
   });
 }
 

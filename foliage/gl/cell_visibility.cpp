@@ -6,6 +6,7 @@
 #include "foliage/gl/plant_store.h"
 #include "gl/buffer.h"
 #include "gl/program.h"
+#include "gl/vertex_array.h"
 #include "manzana_foliage_gl_shaders.h"
 
 namespace manzana::foliage {
@@ -54,12 +55,6 @@ gl::Texture upload_opaque(const Image& image) {
   glTextureSubImage2D(texture.name(), 0, 0, 0, side, side, GL_RED_INTEGER, GL_UNSIGNED_BYTE, opaque.data());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   return texture;
-}
-
-gl::VertexArray make_array() {
-  GLuint name = 0;
-  glCreateVertexArrays(1, &name);
-  return gl::VertexArray(name);
 }
 
 void set_scissor(const PixelBox& box) {
@@ -128,7 +123,7 @@ CellCounterGl::CellCounterGl(const PreparedPlant& plant, CountBy by)
       draw_(gl::make_program("cell_ids", {shaders::version_glsl, shaders::plant_quad_glsl, shaders::cell_ids_vert},
                              {shaders::version_glsl, shaders::cell_ids_frag})),
       histogram_(gl::make_compute_program("count_ids", {shaders::version_glsl, shaders::count_ids_comp})),
-      array_(make_array()) {}
+      array_(gl::make_vertex_array()) {}
 
 CellCounterGl::Picture CellCounterGl::make_picture(int side) {
   Picture picture{side, make_texture(GL_R32UI, side), make_texture(GL_DEPTH_COMPONENT32F, side), {}};

@@ -1,5 +1,6 @@
 #include "foliage/gl/draw_plants.h"
 
+#include "gl/vertex_array.h"
 #include "manzana_foliage_gl_shaders.h"
 
 namespace manzana::foliage {
@@ -26,13 +27,6 @@ gl::Buffer make_quad_indices(std::uint32_t quads) {
   return gl::make_buffer(std::as_bytes(std::span(indices)));
 }
 
-gl::VertexArray make_array(const gl::Buffer& indices) {
-  GLuint name = 0;
-  glCreateVertexArrays(1, &name);
-  glVertexArrayElementBuffer(name, indices.name());
-  return gl::VertexArray(name);
-}
-
 void draw_quads(GLintptr commands, std::uint32_t draws) {
   glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(commands),
                               static_cast<GLsizei>(draws), 5 * sizeof(GLuint));
@@ -54,7 +48,7 @@ PlantPrograms::PlantPrograms(const HostShaders& host)
       lines(make_program("plant_lines", host, {shaders::plant_lines_vert}, shaders::cover_glsl, host.lines)),
       points(make_program("plant_points", host, {shaders::plant_points_vert}, shaders::cover_glsl, host.points)),
       indices(make_quad_indices(glsl::kQuadsOfDraw)) {
-  array = make_array(indices);
+  array = gl::make_vertex_array(indices);
 }
 
 void draw_plants(const PlantPrograms& programs, const PlantStore& store, const Extractor& extractor,

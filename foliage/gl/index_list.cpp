@@ -1,10 +1,10 @@
 #include "foliage/gl/index_list.h"
 
 #include <cassert>
-#include <numeric>
 
 #include "gl/buffer.h"
 #include "gl/program.h"
+#include "gl/vertex_array.h"
 #include "manzana_foliage_gl_shaders.h"
 
 namespace manzana::foliage {
@@ -17,19 +17,6 @@ constexpr std::size_t kCommandWords = 11;
 gl::Program make_pass(std::string_view name, std::string_view main) {
   using namespace shaders;
   return gl::make_compute_program(name, {version_glsl, select_layout_glsl, index_list_glsl, main});
-}
-
-std::size_t leaves_of(const PlantTable& table, const PlantHead& plant) {
-  const auto first = table.cells.begin() + plant.first_cell;
-  return std::accumulate(first, first + plant.cells, std::size_t{0},
-                         [](std::size_t sum, const CellHead& cell) { return sum + cell.count; });
-}
-
-gl::VertexArray make_array(const gl::Buffer& indices) {
-  GLuint name = 0;
-  glCreateVertexArrays(1, &name);
-  glVertexArrayElementBuffer(name, indices.name());
-  return gl::VertexArray(name);
 }
 
 void use(const gl::Program& program, const IndexList& list) {
@@ -59,10 +46,11 @@ IndexList::IndexList(const PlantStore& store, std::uint32_t plant)
       lods(gl::make_buffer(cells * sizeof(float))),
       offsets(gl::make_buffer(cells * sizeof(GLuint))),
       command(gl::make_buffer(kCommandWords * sizeof(GLuint))),
-      indices(gl::make_buffer(leaves_of(store.table, store.table.plants[plant]) * kIndicesOfQuad * sizeof(GLuint))),
+      indices(gl::make_buffer(std::size_t{leaf_quads(store.table, store.table.plants[plant])} * kIndicesOfQuad *
+                              sizeof(GLuint))),
       count(make_pass("index_count", shaders::index_count_comp)),
       write(make_pass("index_write", shaders::index_write_comp)),
-      array(make_array(indices)) {}
+      array(gl::make_vertex_array(indices)) {}
 
 void write_list(IndexList& list, const PlantStore& store, std::span<const float> lods) {
   assert(lods.size() == list.cells);

@@ -1,24 +1,15 @@
 #include "foliage/gl/leaf_texture.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "foliage/leaf_image.h"
 
 namespace manzana::foliage {
 namespace {
 
 constexpr int kBlurredSize = 8;  // from level 5 on, foliage/shaders/cover.glsl takes alpha as it is
 constexpr int kPasses = 128;     // alpha of one half
-
-double linear(std::uint8_t srgb) {
-  const double s = srgb / 255.0;
-  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-}
-
-std::uint8_t encoded(double light) {
-  const double s = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::clamp(std::lround(s * 255), 0L, 255L));
-}
 
 std::size_t at(const Image& image, int x, int y) {
   return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size) + static_cast<std::size_t>(x));
@@ -33,17 +24,17 @@ Image make_image(int size) {
 
 /// Colours count by their alpha: what cannot be seen near does not tint what is seen far.
 void average(const Image& image, int x, int y, std::uint8_t* texel) {
-  std::array<double, 3> weighted{}, plain{};
-  double alpha = 0;
+  Vec3 weighted(0), plain(0);
+  float alpha = 0;
   for (int k = 0; k < 4; ++k) {
     const std::uint8_t* from = &image.rgba[at(image, 2 * x + k % 2, 2 * y + k / 2)];
+    const Vec3 light(linear_of_srgb(from[0]), linear_of_srgb(from[1]), linear_of_srgb(from[2]));
     alpha += from[3];
-    for (std::size_t c = 0; c < 3; ++c) {
-      weighted[c] += linear(from[c]) * from[3];
-      plain[c] += linear(from[c]) / 4;
-    }
+    weighted += light * static_cast<float>(from[3]);
+    plain += light / 4.0F;
   }
-  for (std::size_t c = 0; c < 3; ++c) texel[c] = encoded(alpha > 0 ? weighted[c] / alpha : plain[c]);
+  const Vec3 mean = alpha > 0 ? weighted / alpha : plain;
+  for (int c = 0; c < 3; ++c) texel[c] = srgb_of_linear(mean[c]);
   texel[3] = static_cast<std::uint8_t>(std::lround(alpha / 4));
 }
 

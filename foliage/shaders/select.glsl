@@ -187,7 +187,7 @@ Item cell_item(TreeRecord tree, uint record, uint index) {
   precise float error2 = r2 * sites[tree.site].inv_scale2 * error2_at_1m;
   Detail at_tree = detail_at(tree.plant, tree.error2), d = detail_at(tree.plant, error2);
   // Where points take over, quads shrink away too.
-  precise float going = min(4.0f * at_tree.to_points, 1.0f) * 0.3f;
+  precise float going = min(4.0f * at_tree.to_points, 1.0f) * kLeafFade;
   precise float more = d.fade < 0.0f ? 0.0f : max(going - d.fade, 0.0f);
   precise float keep =
       d.share * visible_share(tree, index, d.hidden) * (1.0f - at_tree.to_points) * (1.0f + 0.5f * more);

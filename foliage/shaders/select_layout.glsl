@@ -70,6 +70,7 @@ struct Item {
 };
 // A group is a handful of primitives of one item, so a list of groups is short where a list of primitives would not be.
 const uint kQuadGroup = 4u, kLineGroup = 4u, kPointGroup = 16u;
+const float kLeafFade = 0.3f;   // share of a cell's shown leaves that shrinks to nothing
 const float kPointFade = 0.3f;  // share of a level's points over which its last ones shrink
 const uint kBark = 0u, kLeaves = 1u, kLines = 2u, kPoints = 3u;
 

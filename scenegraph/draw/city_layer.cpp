@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "gl/vertex_array.h"
 #include "manzana_draw_shaders.h"
 
 namespace manzana::draw {
@@ -37,10 +38,9 @@ std::vector<std::uint32_t> of_objects(const std::vector<std::uint32_t>& first,
   return result;
 }
 
-gl::VertexArray make_vertex_array(GLuint vertices, GLuint indices) {
-  GLuint name = 0;
-  glCreateVertexArrays(1, &name);
-  gl::VertexArray array(name);
+gl::VertexArray make_array(const gl::Buffer& vertices, const gl::Buffer& indices) {
+  gl::VertexArray array = gl::make_vertex_array(indices);
+  const GLuint name = array.name();
   for (GLuint attribute = 0; attribute < 5; ++attribute) {
     glEnableVertexArrayAttrib(name, attribute);
     glVertexArrayAttribBinding(name, attribute, 0);
@@ -50,8 +50,7 @@ gl::VertexArray make_vertex_array(GLuint vertices, GLuint indices) {
   glVertexArrayAttribIFormat(name, 2, 1, GL_UNSIGNED_INT, offsetof(CityVertex, colour));
   glVertexArrayAttribFormat(name, 3, 2, GL_FLOAT, GL_FALSE, offsetof(CityVertex, uv));
   glVertexArrayAttribIFormat(name, 4, 1, GL_UNSIGNED_INT, offsetof(CityVertex, block));
-  glVertexArrayVertexBuffer(name, 0, vertices, 0, sizeof(CityVertex));
-  glVertexArrayElementBuffer(name, indices);
+  glVertexArrayVertexBuffer(name, 0, vertices.name(), 0, sizeof(CityVertex));
   return array;
 }
 
@@ -149,7 +148,7 @@ CityLayer::CityLayer(const MeshLayer& layer) {
   vertices = gl::make_buffer(std::as_bytes(std::span(laned)));
   indices = gl::make_buffer(std::as_bytes(std::span(sorted.indices)));
   for (std::size_t p = 0; p < kPaints; ++p) first[p] = of_objects(sorted.first[p], layer.table.row_first);
-  array = make_vertex_array(vertices.name(), indices.name());
+  array = make_array(vertices, indices);
 }
 
 std::size_t stream_bytes(const CityLayer& layer, std::size_t runs) {

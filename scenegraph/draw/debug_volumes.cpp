@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "culling/overlap.h"
+#include "gl/vertex_array.h"
 #include "manzana_draw_shaders.h"
 
 namespace manzana::draw {
@@ -99,9 +100,8 @@ DebugVolumes::DebugVolumes()
     : program(gl::make_program(
           "line", {shaders::version_glsl, shaders::frame_layout_glsl, shaders::frame_glsl, shaders::line_vert},
           {shaders::version_glsl, shaders::line_frag})) {
-  GLuint name = 0;
-  glCreateVertexArrays(1, &name);
-  array = gl::VertexArray(name);
+  array = gl::make_vertex_array();
+  const GLuint name = array.name();
   for (GLuint attribute = 0; attribute < 2; ++attribute) {
     glEnableVertexArrayAttrib(name, attribute);
     glVertexArrayAttribBinding(name, attribute, 0);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "gl/vertex_array.h"
+
 namespace manzana::draw {
 namespace {
 
@@ -26,12 +28,9 @@ MeshSet make_mesh_set(std::span<const std::byte> vertices, int stride, std::span
   set.vertices = gl::make_buffer(vertices);
   set.indices = gl::make_buffer(std::as_bytes(indices));
   set.meshes = std::move(meshes);
-  GLuint name = 0;
-  glCreateVertexArrays(1, &name);
-  set.array = gl::VertexArray(name);
-  glVertexArrayVertexBuffer(name, kMeshBinding, set.vertices.name(), 0, stride);
-  glVertexArrayElementBuffer(name, set.indices.name());
-  describe_instances(name);
+  set.array = gl::make_vertex_array(set.indices);
+  glVertexArrayVertexBuffer(set.array.name(), kMeshBinding, set.vertices.name(), 0, stride);
+  describe_instances(set.array.name());
   return set;
 }
 

@@ -1,5 +1,6 @@
 #include "scenegraph/draw/sky.h"
 
+#include "gl/vertex_array.h"
 #include "manzana_draw_shaders.h"
 
 namespace manzana::draw {
@@ -19,9 +20,7 @@ gl::Program make_half(std::string_view name, std::string_view fragment, float si
 }  // namespace
 
 Sky::Sky() : above(make_half("sky", shaders::sky_frag, 1)), below(make_half("earth", shaders::earth_frag, -1)) {
-  GLuint name = 0;
-  glCreateVertexArrays(1, &name);
-  nothing = gl::VertexArray(name);
+  nothing = gl::make_vertex_array();
 }
 
 void draw_sky(const Sky& sky) {

@@ -111,11 +111,4 @@ TEST_CASE("thresholds share out what flooring loses") {
   CHECK(static_cast<double>(shared) == Approx(9000).margin(150));  // three standard errors
 }
 
-TEST_CASE("leaves grow by what was really drawn") {
-  CHECK(area_factor(10, 1, 16) == 10);
-  CHECK(area_factor(10, 1) == 8);
-  CHECK(area_factor(10, 10) == 1);
-  CHECK(area_factor(10, 0) == 1);
-}
-
 }  // namespace manzana::foliage
