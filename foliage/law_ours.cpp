@@ -29,11 +29,19 @@ double gain_between(const std::array<float, 3>& quarters, double x) {
   return std::lerp(static_cast<double>(at[i]), static_cast<double>(at[i + 1]), 4 * x - static_cast<double>(i));
 }
 
-/// What of a level's area is shown where a share u of its points is meant: the last of them shrink away.
-double shown_of(double u) {
-  const auto fade = static_cast<double>(glsl::kPointFade);
-  const double edge = (1 + fade) * u, over = std::max(0.0, edge - 1);
-  return edge < fade ? edge * edge / (2 * fade) : edge - fade / 2 - over * over / (2 * fade);
+/// How many points of the mean area those are worth that select.glsl's faded() shows where so many are meant, on
+/// average over trees: a point of rank r that is shown counts min((edge - r) / fade, 1), the edge being `meant`, its
+/// fade, and a random part of 1. Point by point, since the first few are not like the mean.
+double worth(const PreparedPlant& plant, const PointLevel& level, double meant) {
+  const auto share = static_cast<double>(glsl::kPointFade), n = static_cast<double>(level.points.size());
+  const double edge = (1 + share) * meant, fade = std::max(share * n, 1.0);
+  if (edge >= n + fade || !(level.area > 0)) return n;
+  const auto up_to = [&](double t) { return t < fade ? t * t / (2 * fade) : t - fade / 2; };
+  double area = 0;
+  for (std::uint32_t r = 0; r < level.points.size() && r < edge; ++r)
+    area += static_cast<double>(plant.points[level.points.first + r].area) *
+            (up_to(edge + 1 - r) - up_to(std::max(1.0, edge - r)));
+  return area * n / static_cast<double>(level.area);
 }
 
 /// So many points for each square of the error that the plant covers, of two levels: so far from the finer one to the
@@ -50,8 +58,8 @@ void set_points(Detail& d, const PreparedPlant& plant, double error_m) {
   const double x = last ? 0 : std::clamp((size(level) - p) / (size(level) - size(level + 1)), 0.0, 1.0);
   d.points = static_cast<float>(p);
   d.point_level = static_cast<float>(static_cast<double>(level) + x);
-  const double m = last ? 0 : size(level + 1),
-               shown = shown_of((p - x * m) / size(level)) * size(level) + shown_of(x) * m;
+  const double m = last ? 0 : x * size(level + 1),
+               shown = worth(plant, levels[level], p - m) + (last ? 0 : worth(plant, levels[level + 1], m));
   d.point_gain = static_cast<float>(gain_between(levels[level].between, x) / shown);
 }
 

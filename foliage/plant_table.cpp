@@ -1,6 +1,7 @@
 #include "foliage/plant_table.h"
 
 #include <algorithm>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
@@ -21,6 +22,8 @@ void set_size(const PreparedPlant& plant, PlantHead& head) {
   head.near2 = head.middle * head.middle + plant.crown_radius_m * plant.crown_radius_m;
   head.per_near2 = 1 / (3 * head.near2);
   head.crown = plant.crown_radius_m;
+  const float ellipse = std::numbers::pi_v<float> * head.middle * head.crown;
+  head.density = ellipse > 0 ? std::min(plant.cover_m2 / ellipse, 1.0F) : 0;
 }
 
 /// The finest lines stand before the coarse ones.

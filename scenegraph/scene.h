@@ -62,8 +62,8 @@ struct TreeInstance {
   float crown_radius_m = 3;
   float yaw = 0;  ///< radians about up
   std::uint32_t block = 0;
-  PlantSpecies species = PlantSpecies::broadleaf;
-  std::uint8_t tint = 0;  ///< 0..255, a variation of colour
+  std::uint16_t plant = 0;  ///< its model: a PlantSpecies, or from kPlantSpecies on those that an ecosystem brought
+  std::uint8_t tint = 0;    ///< 0..255, a variation of colour
 };
 
 struct TreeLayer {

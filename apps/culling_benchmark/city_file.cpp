@@ -63,7 +63,7 @@ City city_of(const Scene& scene, std::uint64_t seed) {
     add_meshes(city, scene, scene.buildings, block, ObjectKind::building);
     add_meshes(city, scene, scene.surfaces, block, ObjectKind::ground);
     add_objects(city, scene.tree, scene.trees.table, block, ObjectKind::tree,
-                [&](std::uint32_t i) { return plants[static_cast<std::size_t>(scene.trees.instances[i].species)]; });
+                [&](std::uint32_t i) { return plants[scene.trees.instances[i].plant]; });
     city.blocks.push_back(volume_of(city, scene, block));
     city.first.push_back(city.objects());
     city.bounds = merge(city.bounds, city.blocks.back().box);

@@ -123,6 +123,13 @@ void fly(Keys& keys, const Obstacles& obstacles, const Vec3d& to, double metres_
   }
 }
 
+/// Where there are no streets: straight to the heart.
+void stroll(Keys& keys, const Survey& survey, double seconds) {
+  const Vec2d ahead(0, survey.radius);
+  keys.add(at_height(survey.heart - 0.9 * ahead, kEye), at_height(survey.heart, kEye / 2));
+  keys.add_after(seconds, at_height(survey.heart, kEye), at_height(survey.heart + ahead, kEye / 2));
+}
+
 void follow_river(Keys& keys, const Obstacles& obstacles, std::vector<Vec2d> river) {
   constexpr double kAbove = 18, kSpeed = 60;
   const Vec2d here(keys.last().eye);
@@ -141,7 +148,7 @@ void overview(Keys& keys, const Obstacles& obstacles, const Survey& survey) {
   const double radius = std::min(survey.radius, kWidest);
   const Vec2d middle = survey.radius > kWidest ? survey.heart : survey.center;
   const Vec2d back = direction(middle, Vec2d(keys.last().eye));
-  const Vec3d eye = at_height(middle + back * radius * 1.2, radius * 0.6 + 30);
+  const Vec3d eye = at_height(middle + back * radius * 1.2, radius * 0.6 + std::min(30.0, radius * 0.3));
   const Vec3d look = at_height(middle, 0);
   const Vec3d from = keys.last().eye;
   const double height = std::max(from.z, obstacles.highest_roof(Vec2d(from), Vec2d(eye), 40) + 12);
@@ -175,7 +182,7 @@ CameraPath pina_path(const Scene& scene) {
 }
 
 CameraPath tour_path(const Scene& scene) {
-  constexpr double kWalkLength = 800, kWalkSpeed = 14;
+  constexpr double kWalkLength = 800, kWalkSpeed = 14, kStroll = 12;  // metres a second; seconds
   const Survey survey = survey_city(scene);
   const Obstacles obstacles(scene);
   Keys keys;
@@ -184,9 +191,9 @@ CameraPath tour_path(const Scene& scene) {
   if (feet.size() >= 2)
     walk(keys, feet, kStep * static_cast<double>(feet.size()) / kWalkSpeed, 40);
   else
-    keys.add(at_height(survey.heart, kEye), at_height(survey.heart + Vec2d(0, 40), kEye));
+    stroll(keys, survey, kStroll);
   const Vec2d heart(keys.last().eye), ahead = direction(heart, Vec2d(keys.last().look));
-  const double top = obstacles.highest_roof(heart, heart, 150) + 25;
+  const double top = obstacles.highest_roof(heart, heart, 150) + std::min(25.0, survey.radius);
   keys.add_after(7, at_height(heart, top), at_height(heart + ahead * 150.0, top * 0.3));
   if (survey.wood) fly(keys, obstacles, at_height(*survey.wood, 45), 50);
   if (!survey.river.empty()) follow_river(keys, obstacles, survey.river);

@@ -3,13 +3,14 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <mutex>
 #include <numeric>
 
 #include "apps/common/progress_bar.h"
-#include "foliage/import/load_plant.h"
 #include "foliage/import/species.h"
+#include "scenegraph/import/ecosystem_features.h"
 
 namespace manzana::walkthrough {
 namespace {
@@ -32,14 +33,7 @@ std::string printable(std::string text) {
   return text;
 }
 
-/// Kept prepared from one start to the next.
-foliage::PreparedPlant load_plant(const Options& options, std::size_t species, const foliage::PrepareOptions& how) {
-  const auto tell = [](const std::string& line) { std::fprintf(stderr, "%s\n", printable(line).c_str()); };
-  const auto folder = foliage::default_cache_folder();
-  if (const auto* file = file_for(options, static_cast<PlantSpecies>(species)))
-    return foliage::load_or_prepare({*file}, folder, how, tell);
-  return foliage::grow_or_prepare(foliage::kSpeciesNames[species], options.seed, folder, how, tell);
-}
+void tell(const std::string& line) { std::fprintf(stderr, "%s\n", printable(line).c_str()); }
 
 /// The mean of what several tasks have done, whichever thread tells.
 class SharedBar {
@@ -58,36 +52,74 @@ class SharedBar {
   std::vector<double> done_;
 };
 
-void load_those(const Options& options, bool from_files, Plants& plants) {
-  std::vector<std::size_t> those;
-  for (std::size_t i = 0; i < plants.size(); ++i)
-    if ((file_for(options, static_cast<PlantSpecies>(i)) != nullptr) == from_files) those.push_back(i);
-  SharedBar bar("plants", those.size());
+/// load(which, how) of many, side by side.
+template <class Load>
+void load_each(const Options& options, std::span<const std::size_t> which, Load&& load) {
+  SharedBar bar("plants", which.size());
   const bool asks = options.tree_law == foliage::Law::prune || options.tree_law == foliage::Law::ramp;
-  tbb::parallel_for(std::size_t{0}, those.size(), [&](std::size_t task) {
+  tbb::parallel_for(std::size_t{0}, which.size(), [&](std::size_t task) {
     foliage::PrepareOptions how;
     if (!asks) how.visibility_side = 0;  // the others do not ask for it
     how.progress = [&bar, task](double done) { bar.tell(task, done); };
-    plants[those[task]] = load_plant(options, those[task], how);
+    load(which[task], how);
     bar.tell(task, 1);
   });
 }
 
-}  // namespace
-
-Imported load_city(const Options& options) {
-  apps::ProgressBar bar(stderr);
-  const ImportOptions how{.seed = options.seed, .cars = options.cars};
-  return import_city(options.city, how, [&](std::string_view stage, double fraction) { bar.show(stage, fraction); });
+std::vector<std::size_t> species_where(const auto& holds) {
+  std::vector<std::size_t> those;
+  for (std::size_t i = 0; i < kPlantSpecies; ++i)
+    if (holds(i)) those.push_back(i);
+  return those;
 }
+
+bool has_file(const Options& options, std::size_t species) {
+  return file_for(options, static_cast<PlantSpecies>(species)) != nullptr;
+}
+
+CityFeatures load_ecosystem(const Options& options, Plants& plants) {
+  const foliage::Ecosystem ecosystem = foliage::read_ecosystem(options.city);
+  std::vector<std::size_t> all(ecosystem.plants.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  plants.resize(kPlantSpecies + all.size());
+  load_each(options, all, [&](std::size_t i, const foliage::PrepareOptions& how) {
+    plants[kPlantSpecies + i] =
+        foliage::load_or_prepare(ecosystem.plants[i], foliage::default_cache_folder(), how, tell);
+  });
+  return ecosystem_features(ecosystem, std::span(plants).subspan(kPlantSpecies));
+}
+
+}  // namespace
 
 Plants load_named_plants(const Options& options) {
   Plants plants(kPlantSpecies);
-  load_those(options, true, plants);
+  const auto named = species_where([&](std::size_t i) { return has_file(options, i); });
+  load_each(options, named, [&](std::size_t i, const foliage::PrepareOptions& how) {
+    const auto* file = file_for(options, static_cast<PlantSpecies>(i));
+    plants[i] = foliage::load_or_prepare({*file}, foliage::default_cache_folder(), how, tell);
+  });
   return plants;
 }
 
-void load_other_plants(const Options& options, Plants& plants) { load_those(options, false, plants); }
+Imported load_city(const Options& options, Plants& plants) {
+  const ImportOptions how{.seed = options.seed, .cars = options.cars};
+  std::optional<CityFeatures> placed;
+  if (std::filesystem::path(options.city).extension() == ".json") placed = load_ecosystem(options, plants);
+  apps::ProgressBar bar(stderr);
+  const auto show = [&](std::string_view stage, double fraction) { bar.show(stage, fraction); };
+  return placed ? build_scene(std::move(*placed), how, show) : import_city(options.city, how, show);
+}
+
+void load_other_plants(const Options& options, const Scene& scene, Plants& plants) {
+  std::array<bool, kPlantSpecies> stands{};
+  for (const TreeInstance& tree : scene.trees.instances)
+    if (tree.plant < kPlantSpecies) stands[tree.plant] = true;
+  const auto missing = species_where([&](std::size_t i) { return stands[i] && !has_file(options, i); });
+  load_each(options, missing, [&](std::size_t i, const foliage::PrepareOptions& how) {
+    plants[i] =
+        foliage::grow_or_prepare(foliage::kSpeciesNames[i], options.seed, foliage::default_cache_folder(), how, tell);
+  });
+}
 
 std::string report_line(const Imported& city) {
   const ImportReport& r = city.report;

@@ -8,14 +8,18 @@
 
 namespace manzana::walkthrough {
 
-/// With a progress bar on stderr. Throws as import_city does.
-Imported load_city(const Options& options);
-
-/// One model for each PlantSpecies: the files of --plant, then, for the others, our own; kept prepared from one start
-/// to the next. With a progress bar on stderr. Throws as load_plant does.
+/// By TreeInstance::plant; kept prepared from one start to the next. All that load does it with a progress bar on
+/// stderr.
 using Plants = std::vector<foliage::PreparedPlant>;
+
+/// The files of --plant, the other species empty. Throws as load_plant does.
 Plants load_named_plants(const Options& options);
-void load_other_plants(const Options& options, Plants& plants);
+
+/// A city; or an ecosystem (.json), whose plants are added. Throws as import_city and read_ecosystem do.
+Imported load_city(const Options& options, Plants& plants);
+
+/// Our own models of the species that stand there and have none yet.
+void load_other_plants(const Options& options, const Scene& scene, Plants& plants);
 
 /// Blocks, objects a block, how many fell back; one line.
 std::string report_line(const Imported& city);

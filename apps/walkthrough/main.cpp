@@ -31,8 +31,8 @@ void run(const Options& options) {
   if (!is_builtin_path(options.path)) path = read_path(options.path);
   Plants plants = load_named_plants(options);
   if (!display.open()) files::make_folder(options.out);
-  const Imported city = load_city(options);
-  load_other_plants(options, plants);
+  const Imported city = load_city(options, plants);
+  load_other_plants(options, city.scene, plants);
   print_city(city);
   if (path.keys.empty()) path = builtin_path(options.path, city.scene);
   display.open() ? run_window(options, city, plants, path) : run_headless(options, city, plants, path);

@@ -65,7 +65,8 @@ struct Texts {
 };
 
 void add_options(CLI::App& app, Options& options, Texts& texts) {
-  app.add_option("CITY", options.city, "builtin:town or a file")->capture_default_str();
+  app.add_option("CITY", options.city, "builtin:town, a file of OpenStreetMap, or an ecosystem of plants (.json)")
+      ->capture_default_str();
   app.add_flag("--headless", options.headless, "draw a camera path to files, without a window");
   app.add_option("--path", options.path, "camera path: tour, pina or a JSON file")->capture_default_str();
   app.add_option("--frames", options.frames, "frames that the whole path is spread over")

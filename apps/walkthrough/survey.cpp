@@ -153,12 +153,12 @@ std::vector<Vec2d> find_river(const Scene& scene, const Survey& survey) {
   return line;
 }
 
-void measure_extent(const std::vector<Weighted>& points, Survey& survey) {
+void measure_extent(const std::vector<Weighted>& points, double least, Survey& survey) {
   std::vector<double> x, y, distance;
   for (const Weighted& p : points) x.push_back(p.plan.x), y.push_back(p.plan.y);
   survey.center = {quantile_of(x, 0.5), quantile_of(y, 0.5)};
   for (const Weighted& p : points) distance.push_back(glm::distance(p.plan, survey.center));
-  survey.radius = std::max(100.0, quantile_of(distance, 0.9));
+  survey.radius = std::max(least, quantile_of(distance, 0.9));
 }
 
 }  // namespace
@@ -167,7 +167,7 @@ Survey survey_city(const Scene& scene) {
   const std::vector<Weighted> buildings = building_volumes(scene), trees = tree_crowns(scene);
   Survey survey;
   if (!buildings.empty() || !trees.empty())
-    measure_extent(buildings.empty() ? trees : buildings, survey);
+    buildings.empty() ? measure_extent(trees, 5, survey) : measure_extent(buildings, 100, survey);
   else if (!scene.bounds.empty())
     survey.center = Vec2d(scene.bounds.min + scene.bounds.max) / 2.0;
   const auto near_center = [&](const Vec2d& p) {

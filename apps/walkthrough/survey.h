@@ -10,7 +10,7 @@ namespace manzana::walkthrough {
 
 struct Survey {
   Vec2d center{0, 0};         ///< median of the buildings (of all there is, without buildings), plan
-  double radius = 100;        ///< nine in ten buildings lie within; at least 100 m
+  double radius = 100;        ///< nine in ten buildings lie within, at least 100 m; of plants alone, at least 5 m
   Vec2d heart{0, 0};          ///< where most is built, not too far from the centre
   std::optional<Vec2d> wood;  ///< where most trees stand together
   std::vector<Vec2d> river;   ///< along the longest water, at least 300 m; empty without one

@@ -40,7 +40,8 @@ struct PlantHead {
   uint branches, line_levels, first_line_row;  // where lines begin: branches + 1 steps a level, in x
   uint first_view, view_side;  // visibility: bytes, cell by cell; side 0: all is visible
   float near2, per_near2;      // of the crown's ball: radius squared, and 1 / (3 of that)
-  uint spare0, spare1, spare2;
+  float density;               // share of the ellipse of its height and width that it hides, seen from its sides
+  uint spare0, spare1;
   float middle;                // height of the crown's middle
   float crown;                 // radius of the crown
   uvec4 bark[kMostLevels];     // first quad, first step, steps, 0

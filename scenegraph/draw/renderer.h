@@ -60,7 +60,7 @@ struct Size {
 
 class Renderer {
  public:
-  /// `plants`: one plant for each PlantSpecies. Uploads everything. Throws std::runtime_error when a shader does not
+  /// `plants`: by TreeInstance::plant; those that no tree is may be empty. Uploads everything. Throws std::runtime_error when a shader does not
   /// compile (with its log) or the scene does not fit the device's buffers.
   Renderer(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& quality);
   ~Renderer();

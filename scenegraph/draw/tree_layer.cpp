@@ -12,9 +12,6 @@ namespace manzana::draw {
 namespace {
 
 std::vector<foliage::PreparedPlant> without_pictures(std::span<const foliage::PreparedPlant> plants) {
-  if (plants.size() < kPlantSpecies) {
-    throw std::invalid_argument("a plant for each PlantSpecies is needed");
-  }
   std::vector<foliage::PreparedPlant> all(plants.begin(), plants.end());
   for (foliage::PreparedPlant& plant : all) plant.leaf_image = plant.bark_image = {};
   return all;
@@ -25,9 +22,9 @@ std::vector<foliage::TreeSite> sites_of(const TreeLayer& trees, std::span<const 
   std::vector<foliage::TreeSite> sites;
   sites.reserve(trees.instances.size());
   for (const TreeInstance& tree : trees.instances) {
-    const auto plant = static_cast<std::uint32_t>(tree.species);
+    if (tree.plant >= plants.size()) throw std::invalid_argument("a tree's plant is missing");
     foliage::TreeSite& site =
-        sites.emplace_back(make_site(plants[plant], plant, tree.height_m, tree.crown_radius_m, tree.yaw, sites.size()));
+        sites.emplace_back(make_site(plants[tree.plant], tree.plant, tree.height_m, tree.crown_radius_m, tree.yaw, sites.size()));
     site.position = tree.position;
     site.block = tree.block;
     site.hash = (site.hash & ~255U) | tree.tint;

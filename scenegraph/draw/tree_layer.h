@@ -12,7 +12,7 @@ namespace manzana::draw {
 foliage::HostShaders plant_shaders();
 
 struct TreeLayerGpu {
-  /// `plants`: one for each PlantSpecies.
+  /// `plants`: by TreeInstance::plant; those that no tree is may be empty. Throws std::invalid_argument for too few.
   TreeLayerGpu(const TreeLayer& trees, std::span<const foliage::PreparedPlant> plants,
                const foliage::ExtractLimits& limits);
 

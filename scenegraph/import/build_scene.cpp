@@ -49,8 +49,8 @@ class Builder {
     if (progress_) progress_("building", done);
   }
 
-  // Streets, scattered trees, pieces of ground; then the blocks of all centres: buildings, trees, pieces, in this
-  // order.
+  // Streets, scattered trees, pieces of ground; then the blocks of all centres: buildings, trees, plants, pieces, in
+  // this order.
   void plan() {
     tell(0);
     graph_ = build_street_graph(std::move(f_.streets), f_.issues);
@@ -73,12 +73,14 @@ class Builder {
 
   std::vector<Vec2d> centers() const {
     std::vector<Vec2d> result;
-    result.reserve(f_.buildings.size() + f_.trees.size() + pieces_.size());
+    result.reserve(first_piece() + pieces_.size());
     for (const BuildingFeature& building : f_.buildings) result.push_back(middle(building.footprint.outer));
     for (const TreeFeature& tree : f_.trees) result.push_back(tree.position);
+    for (const PlacedPlant& plant : f_.plants) result.emplace_back(plant.position);
     for (const SurfacePiece& piece : pieces_) result.push_back(piece.center);
     return result;
   }
+  std::size_t first_piece() const { return f_.buildings.size() + f_.trees.size() + f_.plants.size(); }
   // Of the bounding box: the centre that decides the block need not be the centroid.
   static Vec2d middle(const std::vector<Vec2d>& ring) {
     if (ring.empty()) return {0, 0};
@@ -110,31 +112,42 @@ class Builder {
     for (auto& list : issues) std::move(list.begin(), list.end(), std::back_inserter(f_.issues));
     tell(0.9);
     surfaces_.resize(pieces_.size());
-    const std::size_t first = f_.buildings.size() + f_.trees.size();
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
       MeshObject& object = surfaces_[i];
-      object.block = plan_.of[first + i];
+      object.block = plan_.of[first_piece() + i];
       object.mesh = lay(std::move(pieces_[i]), {f_.frame, frames_[object.block]});
       object.box = bounds(object.mesh, frames_[object.block]);
     });
-    plant();
+    plant_all();
   }
 
-  void plant() {
-    trees_.resize(f_.trees.size());
-    for (std::size_t i = 0; i < trees_.size(); ++i) {
-      const TreeFeature& tree = f_.trees[i];
-      const std::uint32_t block = plan_.of[f_.buildings.size() + i];
-      const Vec3d foot = ground_point(f_.frame, frames_[block], tree.position);
-      trees_[i].instance = {.position = foot,
-                            .height_m = static_cast<float>(tree.height),
-                            .crown_radius_m = static_cast<float>(tree.crown_radius),
-                            .yaw = static_cast<float>(6.283185307179586 * hash_unit(options_.seed + 21, i)),
-                            .block = block,
-                            .species = tree.species.value_or(plain_species(tree.kind)),
-                            .tint = static_cast<std::uint8_t>(hash_bits(options_.seed + 22, i) & 255u)};
-      trees_[i].box = bounds(trees_[i].instance, frames_[block]);
-    }
+  void plant_all() {
+    trees_.reserve(f_.trees.size() + f_.plants.size());
+    for (std::size_t i = 0; i < f_.trees.size(); ++i) plant(placed(f_.trees[i], i));
+    for (const PlacedPlant& placed : f_.plants) plant(placed);
+  }
+
+  PlacedPlant placed(const TreeFeature& tree, std::size_t i) const {
+    return {.position = Vec3d(tree.position, 0),
+            .height = tree.height,
+            .crown_radius = tree.crown_radius,
+            .yaw = 6.283185307179586 * hash_unit(options_.seed + 21, i),
+            .plant = static_cast<std::uint16_t>(tree.species.value_or(plain_species(tree.kind)))};
+  }
+
+  void plant(const PlacedPlant& placed) {
+    const std::size_t i = trees_.size();
+    const std::uint32_t block = plan_.of[f_.buildings.size() + i];
+    const Vec3d foot = ground_point(f_.frame, frames_[block], Vec2d(placed.position), placed.position.z);
+    TreeObject& object = trees_.emplace_back();
+    object.instance = {.position = foot,
+                       .height_m = static_cast<float>(placed.height),
+                       .crown_radius_m = static_cast<float>(placed.crown_radius),
+                       .yaw = static_cast<float>(placed.yaw),
+                       .block = block,
+                       .plant = placed.plant,
+                       .tint = static_cast<std::uint8_t>(hash_bits(options_.seed + 22, i) & 255u)};
+    object.box = bounds(object.instance, frames_[block]);
   }
 
   void drop_empty() {

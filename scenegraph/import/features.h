@@ -59,6 +59,14 @@ struct TreeFeature {
   std::optional<PlantSpecies> species = {};  ///< of that kind; none: any
 };
 
+/// What an ecosystem places: just so, of a model of its own.
+struct PlacedPlant {
+  Vec3d position{0, 0, 0};  ///< z: of its foot, above ground
+  double height = 1, crown_radius = 1;
+  double yaw = 0;           ///< radians about up
+  std::uint16_t plant = 0;  ///< TreeInstance::plant
+};
+
 struct AreaFeature {
   std::string where;
   Polygon shape;
@@ -73,6 +81,7 @@ struct CityFeatures {
   std::vector<BuildingFeature> buildings;
   std::vector<StreetFeature> streets;
   std::vector<TreeFeature> trees;
+  std::vector<PlacedPlant> plants;
   std::vector<AreaFeature> areas;
   std::vector<Issue> issues;
   bool left_hand_traffic = false;

@@ -27,7 +27,7 @@ Scene make_avenue(int trees) {
     tree.position = {i % 2 == 0 ? -6 : 6, 8 + 3 * static_cast<float>(i), 0};
     tree.height_m = 11;
     tree.crown_radius_m = 4;
-    tree.species = static_cast<PlantSpecies>(i % static_cast<int>(kPlantSpecies));
+    tree.plant = static_cast<std::uint16_t>(i % static_cast<int>(kPlantSpecies));
     block.trees.push_back(tree);
   }
   return make_scene({block});

@@ -73,6 +73,34 @@ TEST_CASE("ours costs less the more may be wrong") {
     }
 }
 
+TEST_CASE("however few points are shown on average they cover what their level does") {
+  PlantTable table = make_plant_table(plants());
+  table.details = make_details(plants(), Law::ours);
+  const std::vector<Vec4> rows{{1, 0, 0, 0}, {0, 1, 0, 1000}, {0, 0, 1, 0}};
+  for (std::size_t i = 0; i < plants().size(); ++i) {
+    const PreparedPlant& plant = plants()[i];
+    constexpr std::uint64_t kTrees = 40'000;
+    std::vector<TreeSite> sites;
+    for (std::uint64_t id = 0; id < kTrees; ++id) {
+      sites.push_back(make_site(plant, static_cast<std::uint32_t>(i), plant.height_m, plant.crown_radius_m, 0, id));
+      sites.back().inv_scale2 = 1;
+    }
+    const std::vector<Run> all{{0, static_cast<std::uint32_t>(kTrees)}};
+    for (const double wanted : {0.02, 0.3, 1.0, 3.0}) {
+      const double error_m = std::sqrt(2.6 * static_cast<double>(plant.cover_m2) / wanted);
+      Selection chosen;
+      select(table, {sites, rows, all, error_m / 1000}, chosen);
+      double area = 0;
+      for (const Item& item : chosen.items)
+        for (std::uint32_t rank = 0; item.kind == glsl::kPoints && rank < item.count; ++rank)
+          area += static_cast<double>(plant.points[item.first - table.plants[i].first_point + rank].area * item.scale *
+                                      std::clamp((item.edge - static_cast<float>(rank)) / item.fade, 0.0F, 1.0F));
+      INFO(plant.name << ", " << wanted << " points");
+      CHECK(area / static_cast<double>(kTrees) == Approx(plant.point_levels.back().area).epsilon(0.1));
+    }
+  }
+}
+
 TEST_CASE("deussen draws the vertices that its rule asks for") {
   const auto details = make_details(plants(), Law::points_and_lines);
   for (std::size_t i = 0; i < plants().size(); ++i) {

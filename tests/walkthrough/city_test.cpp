@@ -14,9 +14,9 @@ using namespace manzana::walkthrough;
 
 namespace {
 
-Plants own_plants() {
+Plants own_plants(const Scene& scene) {
   Plants plants = load_named_plants({});
-  load_other_plants({}, plants);
+  load_other_plants({}, scene, plants);
   return plants;
 }
 
@@ -54,7 +54,7 @@ TEST_CASE("city: along pina the tree submits at most 0.40 of all triangles, leve
   const gl::HeadlessContext context;
   const Imported city = import_city("builtin:town", {}, {});
   const CameraPath path = builtin_path("pina", city.scene);
-  Stage stage(city.scene, own_plants(), draw::quality_named("low"), {1280, 720});
+  Stage stage(city.scene, own_plants(city.scene), draw::quality_named("low"), {1280, 720});
   const std::vector<FrameRow> bqr = along(stage, path);
   stage.structure = Structure::none;
   const std::vector<FrameRow> none = along(stage, path);
@@ -65,8 +65,8 @@ TEST_CASE("city: along pina the tree submits at most 0.40 of all triangles, leve
 
 TEST_CASE("city: at the pole and on the antimeridian the pictures are the same") {
   const gl::HeadlessContext context;
-  const std::vector<foliage::PreparedPlant> plants = own_plants();
   const Imported home = town_at({41.65, -0.88, 0});
+  const std::vector<foliage::PreparedPlant> plants = own_plants(home.scene);
   const CameraPath path = builtin_path("tour", home.scene);
   const CameraPose street = pose_at(path, path.begin() + 0.1 * path.duration());
   const CameraPose roofs = pose_at(path, path.begin() + 0.5 * path.duration());

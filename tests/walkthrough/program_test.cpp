@@ -110,6 +110,21 @@ TEST_CASE("program: without the structure the same picture, from everything that
   CHECK(with["median"]["triangles"] < without["median"]["triangles"]);
 }
 
+TEST_CASE("program: an ecosystem is walked through like a city") {
+  const TemporaryFolder folder;
+  const std::vector<std::string> arguments{MANZANA_MEADOW, "--headless",
+                                           "--frames",     "6",
+                                           "--every",      "3",
+                                           "--size",       "160x90",
+                                           "--out",        (folder.path() / "out").string()};
+  const Ended ended = run_walkthrough(folder.path(), arguments);
+  REQUIRE(ended.code == 0);
+  CHECK(ended.out.find("2900 trees") != std::string::npos);
+  const Json summary = Json::parse(read_all(folder.path() / "out" / "summary.json"));
+  CHECK(summary["median"]["trees_visible"] > 500);
+  CHECK(contrast(folder.path() / "out" / "frame_0000.png") > 25);
+}
+
 TEST_CASE("program: the error in trees is what was asked for, and a law without room says so") {
   const TemporaryFolder folder;
   const auto errors_of = [&](std::vector<std::string> more) {
@@ -172,6 +187,8 @@ TEST_CASE("program: bad input is 1 and one line that names the file") {
       {{folder.path() / "city.txt"}, "city.txt: "},
       {{folder.path()}, folder.path().string() + ": "},
       {{"builtin:village"}, "builtin:village: "},
+      {{folder.path() / "bad.json"}, "bad.json: "},
+      {{folder.path() / "missing.json"}, "missing.json: "},
       {{"--path", bad}, "bad.json: keys[0].eye: three numbers are needed"},
       {{"--path", "nowhere"}, "nowhere: no such camera path"},
       {{"--plant", "shrub=" + (folder.path() / "bad.glb").string()}, "bad.glb: "},

@@ -1,5 +1,6 @@
 // The soft shadow of a crown: a disc on the ground, a little away from the sun; within the crown's own radius, so that a
-// tree that is culled takes no visible shadow with it. The instance is the tree's.
+// tree that is culled takes no visible shadow with it; lighter where the crown is sparse, none where it is too small to
+// see. The instance is the tree's.
 layout(std430, binding = 3) readonly buffer Plants { PlantHead plants[]; };
 layout(std430, binding = 9) readonly buffer Trees { TreeRecord trees[]; };
 
@@ -17,7 +18,9 @@ void main() {
   vec3 across = cross(along, up);
   vec3 foot = vec3(tree.row_x.w, tree.row_y.w, tree.row_z.w) + up * 0.17;  // over the highest surface
   vec3 rel = foot + r * (0.22 * away + 0.78 * (along * at.y + across * at.x));
+  float distance = length(rel), seen = r / (distance * length(frame.ray_up.xyz));  // of half the picture's height
+  float dark = 0.6 * plants[tree.plant].density * exp2(-distance * frame.fog.x) * smoothstep(0.003, 0.008, seen);
   out_at = at;
-  out_kind = vec2(0.5 * exp2(-length(rel) * frame.fog.x), 0.0);
-  gl_Position = frame.view_projection * vec4(rel, 1.0);
+  out_kind = vec2(dark, 0.0);
+  gl_Position = dark > 0.004 ? frame.view_projection * vec4(rel, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -135,14 +135,14 @@ TEST_CASE("scene: the built-in town is a town, and the same for a seed") {
 TEST_CASE("scene: every species stands in the built-in town, each tree the same on every run") {
   const std::vector<TreeInstance>& trees = town().scene.trees.instances;
   std::map<PlantSpecies, std::size_t> count;
-  for (const TreeInstance& tree : trees) ++count[tree.species];
+  for (const TreeInstance& tree : trees) ++count[static_cast<PlantSpecies>(tree.plant)];
   for (std::size_t i = 0; i < kPlantSpecies; ++i) {
     CAPTURE(i);
     CHECK(count[static_cast<PlantSpecies>(i)] >= 5);
   }
   for (const auto& [species, n] : count) CHECK(2 * n < trees.size());  // none is most of them
   const Imported again = import_city("builtin:town", {}, {});
-  CHECK(std::ranges::equal(trees, again.scene.trees.instances, {}, &TreeInstance::species, &TreeInstance::species));
+  CHECK(std::ranges::equal(trees, again.scene.trees.instances, {}, &TreeInstance::plant, &TreeInstance::plant));
 }
 
 TEST_CASE("scene: every vertex lies in its object's box, its block's leaf and all ancestors") {
