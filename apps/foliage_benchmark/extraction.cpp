@@ -75,20 +75,21 @@ class Rig {
   foliage::TreesInView view_;
 };
 
-/// Of all passes, as foliage/shaders has them: place, scan and expand for trees; choose, scan and expand for cells.
-/// Each row that an invocation reads or writes counts once a pass, searches and what is read of a plant's head do not.
+/// Each word that an invocation of foliage/shaders/*.comp loads or stores, once a pass; not what the search for a
+/// cell's tree and the scan of blocks' sums read.
 Traffic Rig::traffic() const {
-  constexpr std::uint64_t kSum = sizeof(glm::uvec4), kCount = sizeof(GLuint), kFixed = foliage::glsl::kFixedItems;
-  constexpr std::uint64_t kRows = sizeof(draw::Rows), kDetails = 2 * sizeof(foliage::Detail);
-  constexpr std::uint64_t kRecord = sizeof(foliage::TreeRecord), kSite = sizeof(foliage::TreeSite);
+  constexpr std::uint64_t kWord = sizeof(GLuint), kRecord = sizeof(foliage::TreeRecord) / kWord;
+  constexpr std::uint64_t kItem = sizeof(foliage::Item) / kWord, kRows = sizeof(draw::Rows) / kWord;
+  constexpr std::uint64_t kSite = 11, kHead = 22, kTwoDetails = 2 * 8;                   // place: what it uses of them
+  constexpr std::uint64_t kCell = 5 + 1 + 2, kTwoDetailsOfCell = 2 * (4 + 1);            // choose: with the tree's
+  constexpr std::uint64_t kCounts = foliage::glsl::kFixedItems, kSums = 4, kBlocks = 4;  // of a tree; of a cell 1 each
   const foliage::glsl::Totals all = totals();
   const std::uint64_t groups = std::uint64_t{all.groups.x} + all.groups.y + all.groups.z;
-  Traffic bytes;
-  bytes.read = trees_ * ((kCount + kSite + kRows + kDetails) + (kFixed + 1) * kCount + (kSum + kFixed * kCount)) +
-               all.cells * ((kRecord + sizeof(foliage::CellHead) + kDetails) + kCount + (kSum + kCount));
-  bytes.written = trees_ * ((kRecord + kFixed * sizeof(foliage::Item) + kCount) + kSum) +
-                  all.cells * (sizeof(foliage::Item) + kSum) + groups * sizeof(glm::uvec2);
-  return bytes;
+  Traffic words;
+  words.read = trees_ * ((1 + kSite + kRows + kHead + kTwoDetails) + (kCounts + 1) + (kCounts + kSums + kBlocks)) +
+               all.cells * ((kRecord + kCell + kTwoDetailsOfCell) + 1 + 3);
+  words.written = trees_ * ((kRecord + kCounts * kItem + kCounts + 1) + kSums) + all.cells * (kItem + 1) + groups * 2;
+  return {words.read * kWord, words.written * kWord};
 }
 
 std::uint64_t size_of(const gl::Buffer& buffer) {
@@ -109,7 +110,7 @@ std::vector<std::string> Rig::memory() const {
   return {apps::grouped(trees_),
           size_of_all(s.plants, s.cells, s.steps, s.details, s.views, s.quads, s.lines, s.points),
           size_of_all(e.sites, sites_in_view_),
-          size_of_all(e.trees, e.tree_sums.offsets, e.tree_sums.blocks),
+          size_of_all(e.trees, e.counts, e.tree_sums.offsets, e.tree_sums.blocks),
           size_of_all(e.items, e.cell_sums.offsets, e.cell_sums.blocks),
           size_of_all(e.groups, e.commands),
           apps::grouped(static_cast<double>(bytes.read)),

@@ -30,10 +30,14 @@ Capacity capacity_of(const ExtractLimits& limits) {
           .spare1 = 0};
 }
 
-gl::Program make_pass(std::string_view name, std::string_view main) {
+/// `sums`: what foliage/shaders/sums.glsl adds.
+gl::Program make_pass(std::string_view name, const gl::Pieces& sums, std::string_view main) {
   using namespace shaders;
-  return gl::make_compute_program(name, {version_glsl, select_layout_glsl, extract_glsl, buffers_glsl, hash_glsl,
-                                         octahedral_glsl, select_glsl, main});
+  gl::Pieces pieces{version_glsl, select_layout_glsl, extract_glsl, buffers_glsl,
+                    hash_glsl,    octahedral_glsl,    select_glsl};
+  pieces.insert(pieces.end(), sums.begin(), sums.end());
+  pieces.push_back(main);
+  return gl::make_compute_program(name, pieces);
 }
 
 template <class T>
@@ -45,8 +49,9 @@ void to(GLuint binding, const gl::Buffer& buffer) {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.name());
 }
 
+template <class Sum>
 Extractor::Sums make_sums(std::size_t n) {
-  return {make_room<glm::uvec4>(n), make_room<glm::uvec4>((n + glsl::kScanBlock - 1) / glsl::kScanBlock)};
+  return {make_room<Sum>(n), make_room<Sum>(n / glsl::kScanBlock + 1)};
 }
 
 void bind(const Extractor& e, const TreesInView& view) {
@@ -56,6 +61,7 @@ void bind(const Extractor& e, const TreesInView& view) {
   to(kTreeOffsetsBinding, e.tree_sums.offsets);
   to(kTreeBlocksBinding, e.tree_sums.blocks);
   to(kItemsBinding, e.items);
+  to(kItemCountsBinding, e.counts);
   to(kGroupsBinding, e.groups);
   to(kCommandsBinding, e.commands);
   glBindBufferRange(GL_SHADER_STORAGE_BUFFER, kSitesInViewBinding, view.buffer, view.offset,
@@ -93,13 +99,14 @@ Extractor::Extractor(std::span<const TreeSite> all, const ExtractLimits& limits)
       commands(gl::make_buffer(static_cast<std::size_t>(command_places(capacity).points + kCommandBytes))),
       totals(make_room<Totals>(1)),
       shown(std::make_unique<gl::Readback>(sizeof(Totals::shown) + sizeof(Totals::missing))),
-      tree_sums(make_sums(all.size())),
-      cell_sums(make_sums(capacity.cells)),
-      place(make_pass("place", shaders::place_comp)),
-      scan(make_pass("scan", shaders::scan_comp)),
-      scan_blocks(make_pass("scan_blocks", shaders::scan_blocks_comp)),
-      choose(make_pass("choose", shaders::choose_comp)),
-      expand(make_pass("expand", shaders::expand_comp)) {}
+      counts(make_room<glm::uvec4>(all.size())),
+      tree_sums(make_sums<glm::uvec4>(all.size())),
+      cell_sums(make_sums<GLuint>(capacity.cells)),
+      place(make_pass("place", {}, shaders::place_comp)),
+      scan_trees(make_pass("scan_trees", {"#define Sum uvec4\n", shaders::sums_glsl}, shaders::scan_trees_comp)),
+      choose(make_pass("choose", {}, shaders::choose_comp)),
+      scan_cells(make_pass("scan_cells", {"#define Sum uint\n", shaders::sums_glsl}, shaders::scan_cells_comp)),
+      expand(make_pass("expand", {}, shaders::expand_comp)) {}
 
 namespace {
 
@@ -115,25 +122,17 @@ void start(Extractor& e, const PlantStore& store, const TreesInView& view) {
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, e.totals.name());
 }
 
-void set_scan(Extractor& e, bool of_cells) {
-  bind(of_cells ? e.cell_sums : e.tree_sums);
-  glProgramUniform1ui(e.scan.name(), 0, of_cells ? 1 : 0);
-  glProgramUniform1ui(e.scan_blocks.name(), 0, of_cells ? 1 : 0);
-}
-
 /// Trees in view [trees.first, trees.last): after those of earlier nodes.
 void extract_node(Extractor& e, const Run& trees) {
   const std::array<GLuint, 2> node{trees.size(), trees.first};
   static_assert(offsetof(Totals, first_tree) == sizeof(GLuint));
   glNamedBufferSubData(e.totals.name(), offsetof(Totals, trees), sizeof node, node.data());
-  set_scan(e, false);
+  bind(e.tree_sums);
   dispatch(e.place, ceil_div(trees.size(), 64));
-  dispatch(e.scan, ceil_div(trees.size(), glsl::kScanBlock));
-  dispatch(e.scan_blocks, 1);
-  set_scan(e, true);
+  dispatch(e.scan_trees, ceil_div(trees.size(), glsl::kScanBlock));
+  bind(e.cell_sums);
   dispatch_indirect(e.choose, offsetof(Totals, per_cell));
-  dispatch_indirect(e.scan, offsetof(Totals, per_block));
-  dispatch(e.scan_blocks, 1);
+  dispatch_indirect(e.scan_cells, offsetof(Totals, per_block));
   dispatch_indirect(e.expand, offsetof(Totals, per_row));
 }
 

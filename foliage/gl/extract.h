@@ -21,7 +21,7 @@ namespace glsl {
 }  // namespace glsl
 
 /// What a frame may show at most: what is beyond is not drawn, so a budget should keep it from happening
-/// (foliage/budget.h, room_of()). Memory: 48 bytes a cell, 8 a group; and 208 a tree.
+/// (foliage/budget.h, room_of()). Memory: 36 bytes a cell, 8 a group; and 224 a tree.
 struct ExtractLimits {
   std::uint32_t cells = 1U << 20;  ///< at most kMostCells
   std::uint32_t quads = 1U << 21, lines = 1U << 18, points = 1U << 21;
@@ -51,14 +51,15 @@ struct Extractor {
   struct Sums {
     gl::Buffer offsets, blocks;
   };
+  gl::Buffer counts;  ///< of trees' fixed items
   Sums tree_sums, cell_sums;
-  gl::Program place, scan, scan_blocks, choose, expand;
+  gl::Program place, scan_trees, choose, scan_cells, expand;
 };
 
 /// Needs the blocks' rows bound to kBlockRowsBinding. No allocation, no wait.
 void extract(Extractor& extractor, const PlantStore& store, const TreesInView& view);
 
-/// The same, each node's trees for themselves: seven dispatches a node. `nodes`: runs of sites, those of `view` or
+/// The same, each node's trees for themselves: five dispatches a node. `nodes`: runs of sites, those of `view` or
 /// parts of them, in order. Records and items are equal to the bit, and so are groups but for their order. For
 /// comparison.
 void extract_by_node(Extractor& extractor, const PlantStore& store, const TreesInView& view,

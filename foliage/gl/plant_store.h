@@ -43,7 +43,8 @@ enum Binding : GLuint {
   kItemsBinding,
   kGroupsBinding,
   kPrimitivesBinding,
-  kStepsBinding
+  kStepsBinding,
+  kItemCountsBinding
 };
 
 }  // namespace manzana::foliage

@@ -13,6 +13,11 @@ uvec4 plus(uvec4 a, uvec4 b) {
   return mix(sum, uvec4(0xffffffffu), lessThan(sum, a));
 }
 
+uint plus(uint a, uint b) {
+  uint sum = a + b;
+  return sum < a ? 0xffffffffu : sum;
+}
+
 uint groups_of(uint count, uint size) { return (count + size - 1u) / size; }
 
 // Of the node's cells.

@@ -1,12 +1,12 @@
-// From visible trees to what is drawn of them, in five dispatches without a read-back:
-//   place    a tree in view -> its record, its fixed items, how many cells it shows
-//   scan     sums of these cells and of the groups that items fill, so that each tree knows where its own stand
-//   choose   a cell -> its item
-//   scan     sums of the groups that they fill
+// From visible trees to what is drawn of them, in three dispatches without a read-back:
+//   place    a tree in view -> its record and its fixed items; sums of the groups that these fill and of the cells that
+//            trees show, so that each tree knows where its own stand
+//   choose   a cell -> its item; sums of the groups that they fill
 //   expand   an item -> its groups
 // Draws read groups. What a list has no room for is left out, and counted: hosts should see to it that it never
 // happens (foliage/budget.h).
-const uint kScanBlock = 1024u;    // elements that one work group sums
+const uint kScanBlock = 1024u;     // elements that one work group sums
+const uint kSumThreads = 64u;     // by so many invocations
 const uint kQuadsOfDraw = 65536u;  // of one command; the index buffer repeats
 
 struct Capacity {
@@ -18,7 +18,7 @@ struct Capacity {
 struct Totals {
   uint trees, first_tree;  // of the node at hand
   float error2_at_1m;
-  uint spare0;
+  uint done;                          // work groups of the pass at hand
   uint cells, cells_before;           // of the node; of those before it
   uint all_trees, spare1;             // of all nodes
   uvec4 groups;                       // of quads, lines, points that are wanted so far, with this node

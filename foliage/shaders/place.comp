@@ -2,6 +2,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 7) restrict readonly buffer SitesInView { uint sites_in_view[]; };
 layout(std430, binding = 9) restrict writeonly buffer Trees { TreeRecord trees[]; };
 layout(std430, binding = 13) restrict writeonly buffer Sums { uvec4 offsets[]; };
+layout(std430, binding = 19) restrict writeonly buffer Counts { uvec4 counts[]; };
 layout(std430, binding = 15) restrict writeonly buffer Items { Item items[]; };
 
 void main() {
@@ -15,5 +16,6 @@ void main() {
   items[item + 1u] = branches.b;
   items[item + 2u] = points.a;
   items[item + 3u] = points.b;
+  counts[i] = uvec4(branches.a.count, branches.b.count, points.a.count, points.b.count);
   offsets[i].w = cells_of(tree, d);  // the others follow from the items
 }
