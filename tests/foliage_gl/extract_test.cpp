@@ -158,6 +158,32 @@ TEST_CASE("the GPU chooses what its twin on the CPU does to the bit") {
   CHECK(log.messages().empty());
 }
 
+TEST_CASE("many blocks of trees and of cells are summed as on the CPU") {
+  constexpr std::uint32_t kMany = glsl::kScanBlock * glsl::kSumThreads + 5000;
+  const gl::HeadlessContext context;
+  PlantStore store(plants());
+  set_details(store, make_details(plants(), Law::ours));
+  Forest forest = make_forest(kMany, 4);
+  forest.runs = {{0, kMany}};
+  Uploaded up = upload(forest);
+  up.view.error_at_1m = 5.0 / 700;
+  Extractor extractor(forest.sites, {.quads = 1U << 24, .lines = 1U << 22, .points = 1U << 24});
+  extract(extractor, store, up.view);
+  Selection expected;
+  select(store.table, {forest.sites, forest.rows, forest.runs, up.view.error_at_1m}, expected);
+  const auto totals = read<glsl::Totals>(extractor.totals, 1).front();
+  CHECK(totals.cells > glsl::kScanBlock * glsl::kSumThreads);
+  CHECK(totals.missing == glm::uvec4(0));
+  REQUIRE(items_of(totals) == expected.items.size());
+  CHECK(same_bits(read<Item>(extractor.items, expected.items.size()), expected.items));
+  std::vector<glm::uvec2> wanted;
+  for (std::uint32_t i = 0; i < expected.items.size(); ++i)
+    for (std::uint32_t rank = 0; expected.items[i].kind <= glsl::kLeaves && rank < expected.items[i].count;
+         rank += glsl::kQuadGroup)
+      wanted.emplace_back(i, rank);
+  CHECK(same_bits(read<glm::uvec2>(extractor.groups, totals.groups.x), wanted));
+}
+
 namespace {
 
 /// A forest that wants more than these limits of every list, near and far.
