@@ -24,15 +24,6 @@ std::vector<foliage::PreparedPlant> without_pictures(std::span<const foliage::Pr
   return all;
 }
 
-foliage::HostShaders shaders_with_mask() {
-  foliage::HostShaders host = draw::plant_shaders();
-  for (gl::Pieces* pieces : {&host.quads, &host.lines, &host.points}) {
-    pieces->insert(pieces->end() - 1, shaders::mask_begin_glsl);
-    pieces->push_back(shaders::mask_end_glsl);
-  }
-  return host;
-}
-
 gl::Renderbuffer make_renderbuffer(GLenum format, int width, int height, int samples) {
   GLuint name = 0;
   glCreateRenderbuffers(1, &name);
@@ -77,6 +68,15 @@ std::array<float, 256> decoding() {
 }
 
 }  // namespace
+
+foliage::HostShaders shaders_with_mask() {
+  foliage::HostShaders host = draw::plant_shaders();
+  for (gl::Pieces* pieces : {&host.quads, &host.lines, &host.points, &host.mosaics}) {
+    pieces->insert(pieces->end() - 1, shaders::mask_begin_glsl);
+    pieces->push_back(shaders::mask_end_glsl);
+  }
+  return host;
+}
 
 Extent extent_of(const foliage::PreparedPlant& plant) {
   Extent extent;
@@ -185,9 +185,14 @@ void Stage::begin(std::span<const foliage::Run> runs, const Shot& shot, const Ho
   in_view_.trees = static_cast<std::uint32_t>(trees.size());
   in_view_.error_at_1m = how.error_px / shot.focal_px;
   glNamedBufferSubData(trees_.name(), 0, static_cast<GLsizeiptr>(trees.size() * sizeof trees[0]), trees.data());
+  begin(shot);
+}
+
+void Stage::begin(const Shot& shot) {
   upload(rows_, rows_seen_from(shot.view.eye));
   draw::DrawOptions options;
   options.layers.fog = false;
+  options.sun = shot.sun;
   draw::FrameData frame = draw::make_frame(LocalFrame{}, shot.view, options, BlockFrame{});
   // Level ground, wherever the eye is.
   frame.up = {0, 0, 1, 1};
@@ -196,8 +201,7 @@ void Stage::begin(std::span<const foliage::Run> runs, const Shot& shot, const Ho
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, foliage::kBlockRowsBinding, rows_.name());
 }
 
-void Stage::extract_and_draw(Room& room, const Shot& shot) {
-  extract(extractor_, store_, in_view_);
+void Stage::clear(Room& room) {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, room.drawn.name());
   glViewport(0, 0, room.width, room.height);
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -209,6 +213,11 @@ void Stage::extract_and_draw(Room& room, const Shot& shot) {
   glClearNamedFramebufferfv(room.drawn.name(), GL_COLOR, 0, &nothing.x);
   glClearNamedFramebufferfv(room.drawn.name(), GL_COLOR, 1, &nothing.x);
   glClearNamedFramebufferfv(room.drawn.name(), GL_DEPTH, 0, &nothing.x);
+}
+
+void Stage::extract_and_draw(Room& room, const Shot& shot) {
+  extract(extractor_, store_, in_view_);
+  clear(room);
   const double enlarged = static_cast<double>(room.width) / shot.width;
   foliage::DrawPlantsOptions options;  // no wind
   options.focal_px = static_cast<float>(shot.focal_px * enlarged);
@@ -244,10 +253,22 @@ Picture Stage::read(Room& room, int factor) {
   return picture;
 }
 
-Stage::Room& Stage::draw_into_room(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) {
-  const bool fine = how.sampling == Sampling::fine;
+Stage::Room& Stage::room_for(const Shot& shot, Sampling sampling) {
+  const bool fine = sampling == Sampling::fine;
   const int enlarged = fine ? shot.fine : 1;
-  Room& room = room_for(shot.width * enlarged, shot.height * enlarged, fine ? 1 : 4);
+  return room_for(shot.width * enlarged, shot.height * enlarged, fine ? 1 : 4);
+}
+
+Stage::Room& Stage::paint_into_room(const Paint& paint, const Shot& shot, Sampling sampling) {
+  Room& room = room_for(shot, sampling);
+  begin(shot);
+  clear(room);
+  paint({room.width, room.height, room.samples, shot.focal_px * room.width / shot.width});
+  return room;
+}
+
+Stage::Room& Stage::draw_into_room(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) {
+  Room& room = room_for(shot, how.sampling);
   begin(runs, shot, how);
   extract_and_draw(room, shot);
   return room;
@@ -256,6 +277,15 @@ Stage::Room& Stage::draw_into_room(std::span<const foliage::Run> runs, const Sho
 Picture Stage::draw(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) {
   Room& room = draw_into_room(runs, shot, how);
   return read(room, how.sampling == Sampling::fine ? shot.fine : 1);
+}
+
+Picture Stage::draw(const Paint& paint, const Shot& shot, Sampling sampling) {
+  return read(paint_into_room(paint, shot, sampling), sampling == Sampling::fine ? shot.fine : 1);
+}
+
+void Stage::draw_only(const Paint& paint, const Shot& shot, Sampling sampling) {
+  paint_into_room(paint, shot, sampling);
+  glFinish();
 }
 
 void Stage::draw_only(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) {

@@ -4,6 +4,7 @@
 ///   const Shot shot = shot_of(extent, azimuth, elevation, 128);
 ///   stage.set_law(foliage::Law::ours);
 ///   const Picture exact = stage.draw({0, 1}, shot, {.error_px = 1, .sampling = Sampling::fine});
+#include <functional>
 #include <optional>
 
 #include "apps/foliage_benchmark/picture.h"
@@ -22,7 +23,8 @@ struct Shot {
   culling::View view;
   int width = 0, height = 0;
   double focal_px = 1000;
-  int fine = 4;  ///< samples along a side of a pixel, for Sampling::fine
+  int fine = 4;                  ///< samples along a side of a pixel, for Sampling::fine
+  Vec3d sun{0.45, -0.55, 0.70};  ///< towards it
 };
 
 /// An upright cylinder round the origin's axis that holds a plant.
@@ -47,6 +49,17 @@ inline std::uint64_t primitives_of(const foliage::Shown& shown) {
   return 2 * (shown.bark + shown.leaves + shown.lines) + shown.points;
 }
 
+/// Where something else than the stage's plants is drawn: its framebuffer is bound and empty, FrameData and the rows of
+/// blocks are bound.
+struct Canvas {
+  int width = 0, height = 0, samples = 1;
+  double focal_px = 1000;
+};
+using Paint = std::function<void(const Canvas&)>;
+
+/// As the walkthrough lights plants; fragment shaders put out what they cover, too.
+foliage::HostShaders shaders_with_mask();
+
 class Stage {
  public:
   /// A context must be current, and stay the same. Throws as PlantStore, Extractor and PlantPrograms do.
@@ -60,6 +73,9 @@ class Stage {
   Picture draw(const foliage::Run& run, const Shot& shot, const HowDrawn& how) { return draw({&run, 1}, shot, how); }
   /// Only extraction and drawing, into the same kind of framebuffer, without reading it; ends with glFinish.
   void draw_only(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
+  /// The same of what `paint` draws.
+  Picture draw(const Paint& paint, const Shot& shot, Sampling sampling);
+  void draw_only(const Paint& paint, const Shot& shot, Sampling sampling);
   void extract_only(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
   /// Of the last picture.
   foliage::Shown shown();
@@ -76,9 +92,13 @@ class Stage {
   };
   static Room make_room(int width, int height, int samples);
   Room& room_for(int width, int height, int samples);
+  Room& room_for(const Shot& shot, Sampling sampling);
+  void begin(const Shot& shot);
   void begin(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
+  static void clear(Room& room);
   void extract_and_draw(Room& room, const Shot& shot);
   Room& draw_into_room(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
+  Room& paint_into_room(const Paint& paint, const Shot& shot, Sampling sampling);
   static Picture read(Room& room, int factor);
 
   std::vector<foliage::PreparedPlant> plants_;

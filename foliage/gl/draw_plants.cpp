@@ -11,20 +11,11 @@ gl::Program make_program(std::string_view name, const HostShaders& host, const g
   using namespace shaders;
   gl::Pieces vertex{version_glsl, select_layout_glsl, extract_glsl, hash_glsl};
   vertex.insert(vertex.end(), host.vertex.begin(), host.vertex.end());
-  vertex.insert(vertex.end(), {plant_glsl});
+  vertex.insert(vertex.end(), {packed_normal_glsl, plant_glsl});
   vertex.insert(vertex.end(), main.begin(), main.end());
   gl::Pieces pixels{version_glsl, cover};
   pixels.insert(pixels.end(), fragment.begin(), fragment.end());
   return gl::make_program(name, vertex, pixels);
-}
-
-/// Of quads with corners 4 i to 4 i + 3.
-gl::Buffer make_quad_indices(std::uint32_t quads) {
-  std::vector<std::uint32_t> indices;
-  indices.reserve(std::size_t{6} * quads);
-  for (std::uint32_t first = 0; first < 4 * quads; first += 4)
-    indices.insert(indices.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
-  return gl::make_buffer(std::as_bytes(std::span(indices)));
 }
 
 void draw_quads(GLintptr commands, std::uint32_t draws) {
@@ -41,6 +32,14 @@ void use(const gl::Program& program, const gl::Buffer& primitives, const DrawPla
 }
 
 }  // namespace
+
+gl::Buffer make_quad_indices(std::uint32_t quads) {
+  std::vector<std::uint32_t> indices;
+  indices.reserve(std::size_t{6} * quads);
+  for (std::uint32_t first = 0; first < 4 * quads; first += 4)
+    indices.insert(indices.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
+  return gl::make_buffer(std::as_bytes(std::span(indices)));
+}
 
 PlantPrograms::PlantPrograms(const HostShaders& host)
     : quads(make_program("plant_quads", host, {shaders::plant_quad_glsl, shaders::plant_quads_vert},

@@ -15,7 +15,11 @@ struct HostShaders {
   gl::Pieces vertex;                ///< clip_position, plant_light, plant_albedo
   gl::Pieces quads, lines, points;  ///< fragment shaders for what plant_*.vert put out; the first two may call cover()
                                     ///< of foliage/shaders/cover.glsl, which stands before them
+  gl::Pieces mosaics;               ///< of packs (foliage/gl/draw_ldm.h): asks mosaic() of foliage/shaders/ldm_*.glsl
 };
+
+/// Of so many quads with corners 4 i to 4 i + 3.
+gl::Buffer make_quad_indices(std::uint32_t quads);
 
 struct PlantPrograms {
   explicit PlantPrograms(const HostShaders& host);

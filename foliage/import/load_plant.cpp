@@ -10,6 +10,7 @@
 
 #include "files/whole_file.h"
 #include "foliage/generate.h"
+#include "foliage/import/cache_file.h"
 #include "foliage/import/folder_files.h"
 #include "foliage/import/gltf_plant.h"
 #include "foliage/import/json_members.h"
@@ -62,12 +63,6 @@ Plant plant_from_json(const PlantSource& source) {
 
 std::string checksum(const std::vector<unsigned char>& bytes) {
   return std::to_string(XXH3_64bits(bytes.data(), bytes.size()));
-}
-
-std::string hexadecimal(std::uint64_t value) {
-  std::string text(16, '0');
-  for (std::size_t i = 0; i < 16; ++i) text[15 - i] = "0123456789abcdef"[value >> (4 * i) & 15];
-  return text;
 }
 
 std::vector<unsigned char> content_of(const fs::path& file) {
@@ -124,10 +119,7 @@ class Shelf {
 
  private:
   fs::path named(const std::string& description, const char* extension) const {
-    std::string stem = stem_.substr(0, 40);
-    for (char& c : stem)
-      if (static_cast<unsigned char>(c) < 33 || c == 127) c = '_';
-    return folder_ / (stem + "-" + hexadecimal(XXH3_64bits(description.data(), description.size())) + extension);
+    return cache_path(folder_, stem_, description, extension);
   }
 
   fs::path list_file() const { return named(description_, ".files"); }

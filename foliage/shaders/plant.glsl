@@ -39,11 +39,6 @@ vec2 scales2(TreeRecord tree) {
   return vec2(dot(x, x), dot(z, z));
 }
 
-vec3 unpack_normal(uint bits) {
-  ivec3 v = ivec3(int(bits << 22u) >> 22, int(bits << 12u) >> 22, int(bits << 2u) >> 22);
-  return vec3(v) * (1.0 / 511.0);
-}
-
 vec3 turn_normal(TreeRecord tree, uint bits) {
   vec2 s = scales2(tree);
   vec3 n = unpack_normal(bits) / s.xxy;

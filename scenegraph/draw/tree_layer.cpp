@@ -89,7 +89,8 @@ foliage::HostShaders plant_shaders() {
   return {.vertex = {frame_layout_glsl, frame_glsl, light_glsl, plant_light_glsl},
           .quads = {frame_layout_glsl, frame_glsl, light_glsl, tree_frag},
           .lines = {frame_layout_glsl, frame_glsl, light_glsl, tree_line_frag},
-          .points = {frame_layout_glsl, frame_glsl, light_glsl, tree_point_frag}};
+          .points = {frame_layout_glsl, frame_glsl, light_glsl, tree_point_frag},
+          .mosaics = {frame_layout_glsl, frame_glsl, light_glsl, plant_light_glsl, tree_mosaic_frag}};
 }
 
 TreeLayerGpu::TreeLayerGpu(const TreeLayer& trees, std::span<const foliage::PreparedPlant> prepared,

@@ -1,0 +1,45 @@
+#pragma once
+/// Draws trees as packs of mosaics, lit by the host: what foliage/shaders/plant.glsl names, and HostShaders::mosaics.
+///   LdmDrawer drawer(packs, host, host);
+///   choose_ldm(drawer.store().table, seen, false, chosen);
+///   drawer.draw_dithered(chosen, samples);
+#include "foliage/gl/draw_plants.h"
+#include "foliage/gl/ldm_store.h"
+
+namespace manzana::foliage {
+
+class LdmDrawer {
+ public:
+  /// The packs must outlive it. Throws std::runtime_error when a shader does not compile or the device has no room.
+  LdmDrawer(std::span<const LdmPack> packs, const HostShaders& dithered, const HostShaders& blended);
+
+  const LdmStore& store() const { return store_; }
+
+  /// Into the bound framebuffer, with its depth, in any order: every sample shows one side and level of a tree.
+  void draw_dithered(const LdmSelection& chosen, int samples);
+
+  /// [Zhang 2004] For comparison: each rank of the selection, which must be sorted, from back to front into a picture
+  /// of its own; their sum over what is in the bound framebuffer, whose depth is neither asked nor changed. Where trees
+  /// hide each other their weights need not sum to 1.
+  void draw_blended(const LdmSelection& chosen, int width, int height);
+
+ private:
+  struct Layer {
+    int width = 0, height = 0;
+    gl::Texture colour;
+    gl::Framebuffer framebuffer;
+  };
+  static Layer make_layer(int width, int height);
+  void begin(const gl::Program& program, const LdmSelection& chosen);
+  void draw(const Run& groups) const;
+  void add_up(const Layer& from, GLuint to, GLenum times_behind) const;
+
+  LdmStore store_;
+  gl::Program dithered_, blended_, sum_;
+  gl::VertexArray array_;
+  gl::Buffer indices_;
+  gl::StreamBuffer stream_;
+  Layer part_, all_;
+};
+
+}  // namespace manzana::foliage

@@ -1,0 +1,199 @@
+#include "foliage/make_ldm.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "foliage/ldm_mosaics.h"
+#include "foliage/ldm_pages.h"
+#include "foliage/ldm_texture.h"
+#include "foliage/ldm_views.h"
+
+namespace manzana::foliage {
+namespace {
+
+/// Of each pixel the share that nearer slabs hide, layer by layer.
+std::vector<std::vector<float>> hidden_in(const LdmImage& image) {
+  std::vector<std::vector<float>> hidden;
+  std::vector<float> open(LdmImage::index(1, 0, 0), 1.0F);
+  for (int layer = 0; layer < image.layers; ++layer) {
+    std::vector<float>& here = hidden.emplace_back(open.size());
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      here[i] = 1 - open[i];
+      open[i] *= 1 - static_cast<float>(image.texels[LdmImage::index(layer, 0, 0) + i].colour[3]) / 255;
+    }
+  }
+  return hidden;
+}
+
+LdmSquare block_of(const LdmPlace& place) {
+  LdmSquare square{kLdmBlock, {}};
+  square.texels.reserve(kLdmBlock * kLdmBlock);
+  for (int y = 0; y < kLdmBlock; ++y)
+    for (int x = 0; x < kLdmBlock; ++x)
+      square.texels.push_back(place.image.at(place.layer, place.column * kLdmBlock + x, place.row * kLdmBlock + y));
+  return square;
+}
+
+/// A block that is not empty.
+struct MadeBlock {
+  int layer = 0, column = 0, row = 0, shrink = 0;
+  double adaptive = 0;  // texels that it would have with s = 0
+  LdmSquare texels;
+  std::array<std::vector<LdmMosaic>, kLdmLevels> mosaics;
+};
+
+class Maker {
+ public:
+  Maker(const Ball& ball, const LdmOptions& options) : ball_(ball) {
+    pack_.options = options;
+    pack_.centre = ball.centre;
+    pack_.radius = ball.radius;
+  }
+
+  void add_side(const Vec3d& towards, const SampleLdm& sample) {
+    const ParallelView view(towards, ball_.centre, ball_.radius, kLdmPixels);
+    const LdmImage image = sample(view, pack_.options.layers);
+    LdmSide& side = pack_.sides.emplace_back(LdmSide{view.towards(), view.right(), view.up(), {}});
+    tally_.raw += static_cast<double>(image.texels.size());
+    std::vector<MadeBlock> blocks = blocks_of(image);
+    const std::size_t first = pack_.blocks.size();
+    if (first + blocks.size() > 65536) throw std::invalid_argument("a pack has too many blocks");
+    for (MadeBlock& block : blocks) keep(block);
+    for (int level = 0; level < kLdmLevels; ++level) add_mosaics(blocks, first, level, side);
+  }
+
+  LdmPack finish(LdmTally* tally) {
+    fill_pages();
+    if (tally != nullptr) *tally = tally_;
+    check(pack_);
+    return std::move(pack_);
+  }
+
+ private:
+  /// From the farthest layer to the nearest.
+  std::vector<MadeBlock> blocks_of(const LdmImage& image) const {
+    const auto hidden = hidden_in(image);
+    constexpr std::size_t kOfLayer = kLdmColumns * kLdmColumns;
+    std::vector<std::optional<MadeBlock>> made(static_cast<std::size_t>(image.layers) * kOfLayer);
+    tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
+      const int layer = image.layers - 1 - static_cast<int>(i / kOfLayer), at = static_cast<int>(i % kOfLayer);
+      made[i] = make_block({image, layer, at % kLdmColumns, at / kLdmColumns, hidden[static_cast<std::size_t>(layer)]});
+    });
+    std::vector<MadeBlock> blocks;
+    for (auto& block : made)
+      if (block) blocks.push_back(std::move(*block));
+    return blocks;
+  }
+
+  std::optional<MadeBlock> make_block(const LdmPlace& place) const {
+    const LdmOptions& options = pack_.options;
+    const LdmStretch all = stretch_of(place, 0, 0, kLdmBlock);
+    if (all.visible == 0) return std::nullopt;
+    MadeBlock block{place.layer, place.column, place.row, 0, 0, {}, {}};
+    auto pyramid = ldm_pyramid(block_of(place));
+    const int adaptive = coarsest_level(pyramid, allowed_delta(0, options));
+    block.adaptive = static_cast<double>(pyramid[static_cast<std::size_t>(adaptive)].texels.size());
+    block.shrink = coarsest_level(pyramid, allowed_delta(all.hidden, options));
+    block.texels = std::move(pyramid[static_cast<std::size_t>(block.shrink)]);
+    for (int level = 0; level < kLdmLevels; ++level)
+      block.mosaics[static_cast<std::size_t>(level)] =
+          split_block(place, options, static_cast<double>(ball_.radius), pack_.distance_of(level));
+    return block;
+  }
+
+  void keep(MadeBlock& block) {
+    const auto byte = [](int v) { return static_cast<std::uint8_t>(v); };
+    pack_.blocks.push_back({0, 0, 0, byte(block.shrink), byte(block.column), byte(block.row)});
+    tally_.adaptive += block.adaptive;
+    tally_.aware += static_cast<double>(block.texels.texels.size());
+    squares_.push_back(std::move(block.texels));
+  }
+
+  void add_mosaics(const std::vector<MadeBlock>& blocks, std::size_t first, int level, LdmSide& side) {
+    const auto at = static_cast<std::size_t>(level);
+    const auto begin = static_cast<std::uint32_t>(pack_.mosaics.size());
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+      for (LdmMosaic mosaic : blocks[i].mosaics[at]) {
+        mosaic.block = static_cast<std::uint16_t>(first + i);
+        pack_.mosaics.push_back(mosaic);
+      }
+    std::stable_sort(pack_.mosaics.begin() + begin, pack_.mosaics.end(),
+                     [](const LdmMosaic& a, const LdmMosaic& b) { return a.depth > b.depth; });
+    side.mosaics[at] = {begin, static_cast<std::uint32_t>(pack_.mosaics.size())};
+    tally_.mosaics[at] += side.mosaics[at].size();
+  }
+
+  void fill_pages() {
+    std::vector<int> sides;
+    for (const LdmSquare& square : squares_) sides.push_back(square.side);
+    const auto places = pack_pages(sides, kLdmPage);
+    std::uint32_t pages = 0;
+    for (const PagePlace& place : places) pages = std::max(pages, place.page + 1);
+    if (pages > 256) throw std::invalid_argument("a pack has too many pages");
+    pack_.colour.assign(std::size_t{4} * pages * kLdmPage * kLdmPage, 0);
+    pack_.surface.assign(pack_.colour.size(), 0);
+    for (std::size_t i = 0; i < squares_.size(); ++i) fill(squares_[i], places[i], pack_.blocks[i]);
+  }
+
+  void fill(const LdmSquare& square, const PagePlace& place, LdmBlock& block) {
+    block.x = place.x, block.y = place.y, block.page = static_cast<std::uint8_t>(place.page);
+    for (int y = 0; y < square.side; ++y)
+      for (int x = 0; x < square.side; ++x) {
+        const LdmTexel& texel = square.at(x, y);
+        const std::size_t row = std::size_t{place.page} * kLdmPage + place.y + static_cast<std::size_t>(y);
+        const std::size_t at = 4 * (row * kLdmPage + place.x + static_cast<std::size_t>(x));
+        std::copy_n(texel.colour.begin(), 4, &pack_.colour[at]);
+        const std::array surface{texel.normal_x, texel.normal_y, texel.depth, texel.shade};
+        std::copy_n(surface.begin(), 4, &pack_.surface[at]);
+      }
+  }
+
+  Ball ball_;
+  LdmPack pack_;
+  LdmTally tally_;
+  std::vector<LdmSquare> squares_;
+};
+
+void check_options(const LdmOptions& o) {
+  const bool sane = o.layers >= 1 && o.layers <= 64 && o.smallest >= 1 && o.smallest <= kLdmBlock &&
+                    o.colour_delta >= 0 && o.disparity_px > 0 && o.occlusion >= 0 && std::isfinite(o.occlusion) &&
+                    o.focal_px > 0 && o.focal_px < 1e6 && o.nearest_radii > 1 && o.nearest_radii < 1e6;
+  if (!sane) throw std::invalid_argument("options of a pack are out of range");
+}
+
+}  // namespace
+
+Ball ldm_ball(const PreparedPlant& plant) {
+  Vec3 low(3e38F), high(-3e38F);
+  const auto visit = [&](auto&& each) {
+    const Run bark = finest_bark(plant);
+    for (std::uint32_t i = bark.first; i < bark.last; ++i)
+      for (const PlantQuad::Corner& c : plant.bark[i].corners) each(c.position);
+    for (const PlantQuad& quad : plant.leaves)
+      for (const PlantQuad::Corner& c : quad.corners) each(c.position);
+  };
+  visit([&](const Vec3& p) { low = glm::min(low, p), high = glm::max(high, p); });
+  if (low.x > high.x) return {};
+  Ball ball{0.5F * (low + high), 0};
+  visit([&](const Vec3& p) { ball.radius = std::max(ball.radius, glm::distance(p, ball.centre)); });
+  ball.radius = std::max(1.001F * ball.radius, 1e-6F);
+  return ball;
+}
+
+LdmPack make_ldm_pack(const Ball& ball, const LdmOptions& options, const SampleLdm& sample, const Progress& progress,
+                      LdmTally* tally) {
+  check_options(options);
+  Maker maker(ball, options);
+  const auto directions = ldm_directions(options.sides);
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    maker.add_side(directions[i], sample);
+    tell(progress, i + 1, directions.size());
+  }
+  return maker.finish(tally);
+}
+
+}  // namespace manzana::foliage

@@ -1,0 +1,29 @@
+// Each sample of a pixel shows one of a tree's sides and levels: those whose share of [0, 1) holds the sample's number.
+// So a crown is as opaque on the way from one to the next as at either end, in any order.  [numerics 13.4]
+layout(location = 1) uniform uint samples;
+
+float pixel_number(uint hash) {
+  uvec2 at = uvec2(gl_FragCoord.xy);
+  return fraction_of(mixed(hash + mixed(at.x + mixed(at.y))));
+}
+
+// Both numbers are spread evenly over the pixel's samples. They must not depend on each other.
+uint shown_samples(float alpha) {
+  float choice = pixel_number(ldm_hash.x), covered = pixel_number(ldm_hash.y);
+  uint mask = 0u, turn = ldm_hash.y >> 7u;
+  for (uint s = 0u; s < samples; ++s) {
+    float part = fract(choice + float(s) / float(samples));
+    float cut = (float((s * 3u + turn) % samples) + covered) / float(samples);
+    if (part >= ldm_share.x && part < ldm_share.y && cut < alpha) mask |= 1u << s;
+  }
+  return mask;
+}
+
+Mosaic mosaic() {
+  int level = ldm_level();
+  vec4 colour = ldm_colour(level);
+  uint mask = shown_samples(colour.a);
+  if (mask == 0u) discard;
+  if (samples > 1u) gl_SampleMask[0] = int(mask);
+  return ldm_mosaic(colour.rgb, level);
+}

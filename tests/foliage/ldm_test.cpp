@@ -1,0 +1,373 @@
+// Packs of mosaics, against what is dumb and sure.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "foliage/ldm_mosaics.h"
+#include "foliage/ldm_pages.h"
+#include "foliage/ldm_select.h"
+#include "foliage/ldm_texture.h"
+#include "foliage/ldm_views.h"
+#include "tests/foliage/ldm_samples.h"
+
+namespace manzana::foliage {
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+Vec3 random_direction(support::Random& random) {
+  Vec3 d(0);
+  while (glm::length(d) < 0.1F) d = Vec3(random.within(-1, 1), random.within(-1, 1), random.within(-1, 1));
+  return glm::normalize(d);
+}
+
+std::array<float, 64> weights_of_all(const LdmPack& pack, const Vec3& to_eye) {
+  std::array<float, 64> all{};
+  const LdmWeights weights = ldm_weights(pack, to_eye);
+  for (std::size_t i = 0; i < 3; ++i) all[weights.side[i]] += weights.weight[i];
+  return all;
+}
+
+const std::vector<LdmPack>& both_kinds() {
+  static const std::vector<LdmPack> packs{pack_of_blobs({.sides = LdmSides::paper}),
+                                          pack_of_blobs({.sides = LdmSides::octahedral})};
+  return packs;
+}
+
+/// The rectangle's mosaic, or those of its quarters, by the letter.
+void split_slowly(const LdmPlace& place, const LdmOptions& o, double radius, double distance, int left, int low,
+                  int side, std::vector<LdmMosaic>& out) {
+  long double alpha = 0, depth = 0, hidden = 0;
+  std::set<int> xs, ys;
+  std::vector<long double> depths;
+  for (int y = low; y < low + side; ++y)
+    for (int x = left; x < left + side; ++x) {
+      const int px = 32 * place.column + x, py = 32 * place.row + y;
+      const LdmTexel& t = place.image.at(place.layer, px, py);
+      if (t.colour[3] == 0) continue;
+      const long double a = t.colour[3] / 255.0L, d = place.layer + t.depth / 255.0L;
+      alpha += a, depth += a * d;
+      hidden += a * static_cast<long double>(place.hidden[static_cast<std::size_t>(py * kLdmPixels + px)]);
+      xs.insert(x), ys.insert(y), depths.push_back(d);
+    }
+  if (depths.empty()) return;
+  const long double mean = depth / alpha, slab = 2 * radius / o.layers;
+  long double off = 0;
+  for (const long double d : depths) off = std::max(off, std::abs(d - mean));
+  const long double away = distance - radius + mean * slab, diff = off * slab;
+  const long double moved = diff == 0      ? 0
+                            : away <= diff ? kInf
+                                           : o.focal_px * diff / std::sqrt(away * away - diff * diff);
+  const long double allowed = (1 + static_cast<long double>(o.occlusion) * hidden / alpha) * o.disparity_px;
+  if (moved >= allowed && side / 2 >= o.smallest) {
+    for (const int dy : {0, side / 2})
+      for (const int dx : {0, side / 2}) split_slowly(place, o, radius, distance, left + dx, low + dy, side / 2, out);
+    return;
+  }
+  const auto byte = [](int v) { return static_cast<std::uint8_t>(v); };
+  out.push_back({0, static_cast<std::uint16_t>(std::lround(65535 * mean / o.layers)), byte(*xs.begin()),
+                 byte(*ys.begin()), byte(*xs.rbegin() + 1), byte(*ys.rbegin() + 1)});
+}
+
+bool same(const LdmMosaic& a, const LdmMosaic& b) {
+  return std::abs(a.depth - b.depth) <= 1 && a.left == b.left && a.low == b.low && a.right == b.right &&
+         a.high == b.high;
+}
+
+}  // namespace
+
+TEST_CASE("disparity is the most that any direction shows") {
+  for (const double d : {1.0, 7.0, 123.0, 1e6})
+    for (const double part : {1e-6, 0.01, 0.5, 0.999}) {
+      const double diff = part * d, bound = disparity(diff, d, 935);
+      const auto moved = [&](long double angle) {
+        return 935.0L * diff * std::sin(angle) / (d + diff * std::cos(angle));
+      };
+      for (int i = 0; i < 10000; ++i) CHECK(moved(i * 3.14159265358979L / 10000) <= bound * (1 + 1e-12L));
+      CHECK(static_cast<double>(moved(std::acos(-static_cast<long double>(part)))) == Approx(bound).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("disparity of nothing is none and from within it is infinite") {
+  CHECK(disparity(0, 1, 935) == 0);
+  for (const double d : {0.0, 0.5, 1.0}) CHECK(disparity(1, d, 935) == kInf);
+  CHECK(disparity(0, 0, 935) == kInf);
+  CHECK(std::isfinite(disparity(1, std::nextafter(1.0, 2.0), 935)));
+  CHECK(disparity(1, 1e6, 935) == Approx(935e-6).epsilon(1e-9));
+}
+
+TEST_CASE("view weights sum to one and none is negative") {
+  support::Random random(3);
+  for (const LdmPack& pack : both_kinds())
+    for (int i = 0; i < 20000; ++i) {
+      const Vec3 eye = i == 0 ? Vec3(0, 0, -1) : i == 1 ? Vec3(0, 0, 1) : random_direction(random);
+      const LdmWeights weights = ldm_weights(pack, eye);
+      double sum = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(weights.weight[k] >= 0);
+        CHECK(weights.side[k] < pack.sides.size());
+        sum += static_cast<double>(weights.weight[k]);
+      }
+      CHECK(std::abs(sum - 1) <= 4 * 0x1p-24);
+    }
+}
+
+TEST_CASE("a side seen from itself is shown most") {
+  for (const LdmPack& pack : both_kinds())
+    for (std::size_t i = 0; i < pack.sides.size(); ++i) {
+      const auto weights = weights_of_all(pack, 3.0F * pack.sides[i].towards);
+      CHECK(weights[i] == *std::max_element(weights.begin(), weights.end()));
+      if (pack.options.sides == LdmSides::octahedral) CHECK(weights[i] > 0.999F);
+    }
+}
+
+TEST_CASE("view weights change steadily") {
+  support::Random random(4);
+  for (const LdmPack& pack : both_kinds())
+    for (int i = 0; i < 3000; ++i) {
+      const Vec3 eye = random_direction(random);
+      if (pack.options.sides == LdmSides::paper && eye.z < 0.05F) continue;  // below its sides the nearest is taken
+      const auto before = weights_of_all(pack, eye),
+                 after = weights_of_all(pack, glm::normalize(eye + 0.01F * random_direction(random)));
+      for (std::size_t k = 0; k < before.size(); ++k) CHECK(std::abs(before[k] - after[k]) < 0.15F);
+    }
+}
+
+TEST_CASE("ring weights run from one level to the next") {
+  const LdmZone zone(10, 20);
+  CHECK(zone.next(0) == 0);
+  CHECK(zone.next(10) == 0);
+  CHECK(zone.next(15) == Approx(0.5));
+  CHECK(zone.next(20) == 1);
+  CHECK(zone.next(1e9) == 1);
+  CHECK(LdmZone(5, 5).next(4.999) == 0);
+  CHECK(LdmZone(5, 5).next(5) == 1);
+  CHECK_THROWS_AS(LdmZone(6, 5), std::invalid_argument);
+  CHECK_THROWS_AS(LdmZone(std::nan(""), 5), std::invalid_argument);
+  const LdmPack& pack = both_kinds()[1];
+  CHECK(ldm_ring(pack, 0).level == 0);
+  CHECK(ldm_ring(pack, 1e9).level == kLdmLevels - 1);
+  for (double d = 1; d < 300; d *= 1.01) {
+    const LdmRing ring = ldm_ring(pack, d);
+    CHECK(ring.level + (ring.next > 0 ? 1 : 0) < kLdmLevels);
+    // Never a level that is made for farther away.
+    if (ring.level > 0) CHECK(pack.distance_of(ring.level) <= d);
+    CHECK(ring.next < 1);
+  }
+}
+
+TEST_CASE("a block is as coarse as its difference allows") {
+  const LdmImage image = blobs(1, 9, 200);
+  for (int at = 0; at < 64; ++at) {
+    LdmSquare block{kLdmBlock, {}};
+    for (int y = 0; y < kLdmBlock; ++y)
+      for (int x = 0; x < kLdmBlock; ++x) block.texels.push_back(image.at(0, at % 8 * 32 + x, at / 8 * 32 + y));
+    const auto pyramid = ldm_pyramid(block);
+    REQUIRE(pyramid.size() == 6);
+    CHECK(colour_difference(pyramid, 0) == 0);
+    for (const double delta : {0.0, 1.0, 5.0, 10.0, 30.0, 1000.0}) {
+      const int m = coarsest_level(pyramid, delta);
+      CHECK(colour_difference(pyramid, m) <= delta);
+      if (m < 5) CHECK(colour_difference(pyramid, m + 1) > delta);
+    }
+    const auto alpha = [](const LdmSquare& s) {
+      double sum = 0;
+      for (const LdmTexel& t : s.texels) sum += t.colour[3];
+      return sum / static_cast<double>(s.texels.size());
+    };
+    for (const LdmSquare& level : pyramid) CHECK(std::abs(alpha(level) - alpha(block)) < 1.5);  // of 255
+  }
+}
+
+TEST_CASE("what is hidden may be coarser") {
+  LdmOptions options;
+  CHECK(allowed_delta(0, options) == 10);
+  CHECK(allowed_delta(1, options) == 30);
+  options.occlusion = 0;
+  CHECK(allowed_delta(1, options) == 10);
+  LdmTally plain, aware;
+  pack_of_blobs({.occlusion = 0}, &plain);
+  pack_of_blobs({}, &aware);
+  CHECK(plain.aware == plain.adaptive);
+  CHECK(aware.adaptive == plain.adaptive);
+  CHECK(aware.aware < aware.adaptive);
+  CHECK(aware.raw == 18.0 * 6 * 256 * 256);
+}
+
+TEST_CASE("normals of texels come back") {
+  support::Random random(8);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 n = random_direction(random);
+    const auto packed = pack_ldm_normal(n);
+    CHECK(glm::dot(unpack_ldm_normal(packed[0], packed[1]), n) > 0.9995F);
+  }
+}
+
+TEST_CASE("a block is split as brute force splits it") {
+  const LdmImage image = blobs(6, 5, 400);
+  std::vector<float> hidden(kLdmPixels * kLdmPixels);
+  support::Random random(2);
+  for (float& h : hidden) h = static_cast<float>(random.within(0, 1));
+  std::size_t all = 0;
+  for (const int smallest : {1, 4, 16})
+    for (const float eta : {0.5F, 6.0F})
+      for (const double distance : {12.0, 48.0, 1e4})
+        for (int at = 0; at < 6 * 64; at += 5) {
+          const LdmPlace place{image, at % 6, at / 6 % 8, at / 48, hidden};
+          const LdmOptions options{.smallest = smallest, .disparity_px = eta};
+          const auto mosaics = split_block(place, options, 6, distance);
+          std::vector<LdmMosaic> expected;
+          split_slowly(place, options, 6, distance, 0, 0, kLdmBlock, expected);
+          REQUIRE(mosaics.size() == expected.size());
+          CHECK(std::equal(mosaics.begin(), mosaics.end(), expected.begin(), same));
+          all += mosaics.size();
+        }
+  CHECK(all > 3000);
+}
+
+TEST_CASE("mosaics of a level hold every visible pixel once") {
+  std::vector<LdmImage> images;
+  const auto sample = [&](const ParallelView&, int layers) {
+    images.push_back(blobs(layers, images.size() + 1));
+    return images.back();
+  };
+  const LdmPack pack = make_ldm_pack({Vec3(0), 6}, {.sides = LdmSides::paper}, sample);
+  for (std::size_t s = 0; s < pack.sides.size(); ++s) {
+    double visible = 0;
+    for (const LdmTexel& texel : images[s].texels) visible += texel.colour[3] > 0 ? 1 : 0;
+    for (const Run& run : pack.sides[s].mosaics) {
+      std::set<std::array<int, 3>> pixels;
+      double held = 0, area = 0;
+      for (std::uint32_t i = run.first; i < run.last; ++i) {
+        const LdmMosaic& m = pack.mosaics[i];
+        if (i > run.first) CHECK(m.depth <= pack.mosaics[i - 1].depth);
+        for (int y = m.low; y < m.high; ++y)
+          for (int x = m.left; x < m.right; ++x) {
+            const LdmBlock& b = pack.blocks[m.block];
+            pixels.insert({m.block, x, y});
+            ++area;
+            for (int layer = 0; layer < 6; ++layer) {
+              const double front = 65535.0 * layer / 6, back = 65535.0 * (layer + 1) / 6;
+              if (m.depth < front - 1 || m.depth > back + 1) continue;
+              held += images[s].at(layer, b.column * 32 + x, b.row * 32 + y).colour[3] > 0 ? 1 : 0;
+            }
+          }
+      }
+      CHECK(static_cast<double>(pixels.size()) == area);  // none twice
+      CHECK(held >= visible);
+    }
+  }
+}
+
+TEST_CASE("squares in pages lie on their own multiples and never on each other") {
+  support::Random random(6);
+  std::vector<int> sides;
+  std::size_t area = 0;
+  for (int i = 0; i < 3000; ++i) {
+    sides.push_back(1 << random.below(6));
+    area += static_cast<std::size_t>(sides.back() * sides.back());
+  }
+  const auto places = pack_pages(sides, 512);
+  std::set<std::array<std::uint32_t, 3>> texels;
+  std::uint32_t pages = 0;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const auto [page, x, y] = places[i];
+    pages = std::max(pages, page + 1);
+    CHECK((x % sides[i] == 0 && y % sides[i] == 0 && x + sides[i] <= 512 && y + sides[i] <= 512));
+    for (int dy = 0; dy < sides[i]; ++dy)
+      for (int dx = 0; dx < sides[i]; ++dx)
+        texels.insert({page, x + static_cast<std::uint32_t>(dx), y + static_cast<std::uint32_t>(dy)});
+  }
+  CHECK(texels.size() == area);
+  CHECK(pages == (area + 512 * 512 - 1) / (512 * 512));
+  CHECK(pack_pages({}, 512).empty());
+}
+
+TEST_CASE("a plant of nothing is a pack of nothing") {
+  const LdmPack pack =
+      make_ldm_pack(ldm_ball(PreparedPlant{}), {}, [](const ParallelView&, int layers) { return LdmImage(layers); });
+  CHECK(pack.mosaics.empty());
+  CHECK(pack.pages() == 0);
+  CHECK(pack.sides.size() == 18);
+}
+
+TEST_CASE("packs that would be drawn from elsewhere are refused") {
+  const LdmPack good = pack_of_blobs();
+  const auto refuses = [&](auto&& spoil) {
+    LdmPack bad = good;
+    spoil(bad);
+    CHECK_THROWS_AS(check(bad), std::invalid_argument);
+  };
+  CHECK_NOTHROW(check(good));
+  refuses([](LdmPack& p) { p.radius = std::nanf(""); });
+  refuses([](LdmPack& p) { p.sides.pop_back(); });
+  refuses([](LdmPack& p) { p.sides[3].mosaics[1].last = 1U << 30; });
+  refuses([](LdmPack& p) { p.sides[3].up.x = std::nanf(""); });
+  refuses([](LdmPack& p) { p.blocks[5].page = 255; });
+  refuses([](LdmPack& p) { p.blocks[5].shrink = 6; });
+  refuses([](LdmPack& p) { p.blocks[5].x = 511; });
+  refuses([](LdmPack& p) { p.mosaics[5].right = 33; });
+  refuses([](LdmPack& p) { p.mosaics[5].left = p.mosaics[5].right; });
+  refuses([](LdmPack& p) { p.mosaics[5].block = 65535; });
+  refuses([](LdmPack& p) { p.colour.pop_back(); });
+  refuses([](LdmPack& p) { p.options.layers = 0; });
+  CHECK_THROWS_AS(pack_of_blobs({.layers = 0}), std::invalid_argument);
+  CHECK_THROWS_AS(pack_of_blobs({.nearest_radii = 1}), std::invalid_argument);
+}
+
+TEST_CASE("shares of a tree follow each other from nought to one") {
+  const auto& packs = both_kinds();
+  const LdmTable table = make_ldm_table(packs);
+  std::vector<TreeSite> sites(400);
+  support::Random random(12);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    sites[i] = {};
+    const auto size = static_cast<float>(random.within(0.3, 3));
+    sites[i].position = 90.0F * random_direction(random);
+    sites[i].radius = size, sites[i].height = 1.3F * size;
+    sites[i].turn = {std::cos(static_cast<float>(i)), std::sin(static_cast<float>(i))};
+    sites[i].plant = static_cast<std::uint32_t>(i % 2);
+  }
+  const std::array<Vec4, 3> rows{Vec4(1, 0, 0, 0), Vec4(0, 1, 0, 0), Vec4(0, 0, 1, 0)};
+  const Run run{0, 400};
+  LdmSelection chosen;
+  for (const bool sorted : {false, true}) {
+    choose_ldm(table, {sites, rows, {&run, 1}, 500}, sorted, chosen);
+    REQUIRE(chosen.trees.size() == 400);
+    std::vector<float> reached(chosen.trees.size(), 0);
+    std::vector<std::vector<LdmItem>> of_tree(chosen.trees.size());
+    for (const LdmItem& item : chosen.items) of_tree[item.tree].push_back(item);
+    for (auto& items : of_tree) {
+      std::sort(items.begin(), items.end(), [](const LdmItem& a, const LdmItem& b) { return a.low < b.low; });
+      REQUIRE_FALSE(items.empty());
+      CHECK(items.size() <= 6);
+      CHECK(items.front().low == 0);
+      CHECK(items.back().high == 1);
+      for (std::size_t i = 1; i < items.size(); ++i) CHECK(items[i].low == items[i - 1].high);
+    }
+    std::uint64_t drawn = 0;
+    for (const glm::uvec2& group : chosen.groups)
+      drawn += std::min(glsl::kLdmGroup, chosen.items[group.x].last - group.y);
+    CHECK(drawn == chosen.mosaics);
+    CHECK(chosen.ranks.back().last == chosen.groups.size());
+  }
+}
+
+TEST_CASE("an eye in the middle of a tree and one infinitely far see nothing of it") {
+  const auto& packs = both_kinds();
+  const LdmTable table = make_ldm_table(packs);
+  TreeSite site{};
+  site.radius = site.height = 1;
+  site.turn = {1, 0};
+  const Run run{0, 1};
+  LdmSelection chosen;
+  for (const float away : {5.0F, -std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+    const std::array<Vec4, 3> rows{Vec4(1, 0, 0, 0), Vec4(0, 1, 0, 0), Vec4(0, 0, 1, -away)};
+    choose_ldm(table, {{&site, 1}, rows, {&run, 1}, 500}, false, chosen);
+    CHECK(chosen.items.empty());
+  }
+}
+
+}  // namespace manzana::foliage

@@ -1,0 +1,145 @@
+// Packs of mosaics against the plants that they are of.
+#include "apps/foliage_benchmark/packs.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "apps/foliage_benchmark/errors.h"
+#include "foliage/generate.h"
+#include "foliage/gl/ldm_sampler.h"
+#include "foliage/import/species.h"
+#include "foliage/make_ldm.h"
+#include "foliage/prepare.h"
+#include "gl/context.h"
+#include "gl/error_log.h"
+#include "tests/foliage/ldm_samples.h"
+
+namespace manzana::foliage_benchmark {
+namespace {
+
+using foliage::LdmOptions;
+using foliage::LdmSides;
+using foliage::PreparedPlant;
+using Way = Packs::Way;
+
+std::vector<PreparedPlant> plant_named(const char* species) {
+  return {prepare(grow_plant(foliage::builtin_species(species), 1), {.visibility_side = 0})};
+}
+
+std::vector<foliage::LdmPack> packs_of(const PreparedPlant& plant, const LdmOptions& options = {}, int fine = 4) {
+  foliage::LdmSamplerGl sampler(plant, fine);
+  std::vector<foliage::LdmPack> packs;
+  packs.push_back(make_ldm_pack(ldm_ball(plant), options, std::ref(sampler)));
+  return packs;
+}
+
+constexpr double kDegree = 3.14159265358979 / 180;
+
+}  // namespace
+
+TEST_CASE("packs: an opaque card stays opaque between sides and between levels in every way") {
+  const gl::HeadlessContext context;
+  gl::ErrorLog log;
+  const auto plants = plant_named("shrub");
+  Stage stage(plants, sites_of(plants));
+  const Extent extent = extent_of(plants[0]);
+  const foliage::Run run{0, 1};
+  for (const LdmSides sides : {LdmSides::paper, LdmSides::octahedral}) {
+    std::vector<foliage::LdmPack> made;
+    made.push_back(make_ldm_pack({Vec3(0, 0, extent.high / 2), static_cast<float>(extent.high)}, {.sides = sides},
+                                 foliage::white_card));
+    Packs packs(std::move(made));
+    for (int i = 0; i < 16; ++i) {
+      // Sides change with the angle, levels with the size.
+      const Shot shot = shot_of(extent, 17 * i * kDegree, (2 + 5 * i) * kDegree, 150 * std::pow(0.85, i));
+      const Sampling sampling = i % 2 == 0 ? Sampling::fine : Sampling::product;
+      for (const Way way : {Way::dithered, Way::blended}) {
+        const Picture seen = stage.draw(packs.painter(stage, {&run, 1}, shot, way), shot, sampling);
+        CAPTURE(i, static_cast<int>(sides), static_cast<int>(way), static_cast<int>(sampling));
+        float least = 1, most = 0;
+        for (int y = -1; y <= 1; ++y)
+          for (int x = -1; x <= 1; ++x) {
+            const float w = seen.at(seen.width / 2 + x, seen.height / 2 + y).w;
+            least = std::min(least, w), most = std::max(most, w);
+          }
+        CHECK(least >= 1 - 1.0F / 255);
+        CHECK(most <= 1 + 1.0F / 255);
+      }
+    }
+  }
+  CHECK(log.messages().empty());
+}
+
+TEST_CASE("packs: a crown covers what its leaves do from between the sides") {
+  const gl::HeadlessContext context;
+  gl::ErrorLog log;
+  for (const char* species : {"oak", "birch"}) {
+    const auto plants = plant_named(species);
+    Stage stage(plants, sites_of(plants));
+    stage.set_law(foliage::Law::full);
+    Packs packs(packs_of(plants[0]));
+    const foliage::Run run{0, 1};
+    const Extent extent = extent_of(plants[0]);
+    double dithered = 0, blended = 0, colour = 0;
+    constexpr int kViews = 6;
+    for (int i = 0; i < kViews; ++i) {
+      const Shot shot = shot_of(extent, 60 * (i + 0.37) * kDegree, (2 + 9 * i) * kDegree, 32);
+      const Picture full = stage.draw(run, shot, {});
+      const auto error = [&](Way way) {
+        return image_error(full, stage.draw(packs.painter(stage, {&run, 1}, shot, way), shot, Sampling::fine));
+      };
+      const ImageError one = error(Way::dithered), other = error(Way::blended);
+      dithered += one.cover / kViews, colour += one.colour / kViews, blended += other.cover / kViews;
+      CHECK(one.ssim > 0.8);
+    }
+    CAPTURE(species, dithered, blended, colour);
+    CHECK(dithered == Approx(1).margin(0.02));
+    CHECK(blended == Approx(1).margin(0.02));
+    CHECK(colour < 0.005);
+  }
+  CHECK(log.messages().empty());
+}
+
+TEST_CASE("packs: another sun lights another side") {
+  const gl::HeadlessContext context;
+  const auto plants = plant_named("oak");
+  Stage stage(plants, sites_of(plants));
+  stage.set_law(foliage::Law::full);
+  Packs packs(packs_of(plants[0], {}, 1));
+  const foliage::Run run{0, 1};
+  Shot shot = shot_of(extent_of(plants[0]), 0.2, 0.1, 64);
+  const auto left_less_right = [](const Picture& p) {
+    double sum = 0, all = 0;
+    for (int y = 0; y < p.height; ++y)
+      for (int x = 0; x < p.width; ++x) {
+        const auto light = static_cast<double>(p.at(x, y).g);
+        sum += x < p.width / 2 ? light : -light;
+        all += light;
+      }
+    return sum / all;
+  };
+  // Seen from +x, +y is to the right.
+  std::array<double, 2> full{}, packed{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    shot.sun = Vec3d(0.2, i == 0 ? -1 : 1, 0.3);
+    full[i] = left_less_right(stage.draw(run, shot, {}));
+    packed[i] = left_less_right(stage.draw(packs.painter(stage, {&run, 1}, shot, Way::dithered), shot, Sampling::fine));
+  }
+  CAPTURE(full[0], full[1], packed[0], packed[1]);
+  CHECK(packed[0] - packed[1] > 0.1);
+  CHECK(packed[0] - packed[1] == Approx(full[0] - full[1]).epsilon(0.25));
+}
+
+TEST_CASE("packs: at the source's settings bytes stay within their gates") {
+  const gl::HeadlessContext context;
+  const auto plants = plant_named("birch");
+  foliage::LdmTally tally;
+  foliage::LdmSamplerGl sampler(plants[0], 1);
+  const auto pack = make_ldm_pack(ldm_ball(plants[0]), {.sides = LdmSides::paper}, std::ref(sampler), {}, &tally);
+  CHECK(foliage::ldm_bytes(tally.raw) == 30.0 * 1024 * 1024);
+  CHECK(tally.aware <= tally.adaptive);
+  CHECK(foliage::ldm_bytes(static_cast<double>(pack.pages()) * foliage::kLdmPage * foliage::kLdmPage) < 8e6);
+  CHECK(pack.mosaic_bytes() < 400e3);
+}
+
+}  // namespace manzana::foliage_benchmark
