@@ -42,8 +42,18 @@ Buffer make_buffer(std::span<const std::byte> content) {
   return make_storage(content.size(), content.data(), 0);
 }
 
+Buffer make_writable_buffer(std::size_t bytes) {
+  return make_storage(std::max<std::size_t>(bytes, 16), nullptr, GL_DYNAMIC_STORAGE_BIT);
+}
+
+std::size_t bytes_of(const Buffer& buffer) {
+  GLint64 size = 0;
+  if (buffer.name() != 0) glGetNamedBufferParameteri64v(buffer.name(), GL_BUFFER_SIZE, &size);
+  return static_cast<std::size_t>(size);
+}
+
 Buffer make_buffer(std::size_t bytes) {
-  Buffer buffer = make_storage(std::max<std::size_t>(bytes, 16), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  Buffer buffer = make_writable_buffer(bytes);
   glClearNamedBufferData(buffer.name(), GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, nullptr);
   return buffer;
 }
@@ -51,6 +61,7 @@ Buffer make_buffer(std::size_t bytes) {
 StreamBuffer::~StreamBuffer() { release(); }
 
 void StreamBuffer::release() {
+  if (LostContext::any()) return;
   for (GLsync& fence : fences_) wait_for(fence);
   if (memory_ != nullptr) glUnmapNamedBuffer(buffer_.name());
   memory_ = nullptr;

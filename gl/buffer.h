@@ -19,6 +19,9 @@ namespace manzana::gl {
 Buffer make_buffer(std::span<const std::byte> content);
 /// Zeros, written by the GPU or by glNamedBufferSubData.
 Buffer make_buffer(std::size_t bytes);
+/// The same, of any content.
+Buffer make_writable_buffer(std::size_t bytes);
+std::size_t bytes_of(const Buffer& buffer);
 
 /// One of DrawElementsIndirectCommand's rows, as GL lays it out.
 struct DrawCommand {
@@ -51,6 +54,7 @@ class StreamBuffer {
   }
   void end();
   GLuint name() const { return buffer_.name(); }
+  const Buffer& buffer() const { return buffer_; }
   /// What `take` of so many bytes may use up, for the sum that begin() wants.
   static std::size_t padded(std::size_t bytes) { return (bytes + kAlignment - 1) / kAlignment * kAlignment; }
 

@@ -6,24 +6,54 @@
 namespace manzana::gl {
 namespace {
 
-Renderbuffer make_renderbuffer(GLenum format, const Target& target, int samples) {
+constexpr GLenum kColour = GL_SRGB8_ALPHA8, kDepth = GL_DEPTH_COMPONENT32F;
+
+Renderbuffer make_renderbuffer(GLenum format, const Target& target) {
   GLuint name = 0;
   glCreateRenderbuffers(1, &name);
   Renderbuffer buffer(name);
-  glNamedRenderbufferStorageMultisample(name, samples > 1 ? samples : 0, format, target.width, target.height);
+  glNamedRenderbufferStorageMultisample(name, target.samples, format, target.width, target.height);
   return buffer;
 }
 
-Framebuffer make_framebuffer(GLuint colour, GLuint depth) {
+Texture make_texture(GLenum format, const Target& target) {
+  GLuint name = 0;
+  glCreateTextures(GL_TEXTURE_2D, 1, &name);
+  Texture texture(name);
+  glTextureStorage2D(name, 1, format, target.width, target.height);
+  glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  return texture;
+}
+
+void check(const Framebuffer& framebuffer) {
+  if (glCheckNamedFramebufferStatus(framebuffer.name(), GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw std::runtime_error("the device cannot draw into sRGB colour with 32-bit float depth of that size");
+}
+
+Framebuffer with_textures(const Target& target) {
   GLuint name = 0;
   glCreateFramebuffers(1, &name);
   Framebuffer framebuffer(name);
-  glNamedFramebufferRenderbuffer(name, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour);
-  if (depth != 0) glNamedFramebufferRenderbuffer(name, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
-  if (glCheckNamedFramebufferStatus(name, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw std::runtime_error("the device cannot draw into sRGB colour with 32-bit float depth of that size");
-  }
+  glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, target.colour.name(), 0);
+  glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, target.depth.name(), 0);
+  check(framebuffer);
   return framebuffer;
+}
+
+Framebuffer with_samples(const Target& target) {
+  GLuint name = 0;
+  glCreateFramebuffers(1, &name);
+  Framebuffer framebuffer(name);
+  glNamedFramebufferRenderbuffer(name, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target.sampled_colour.name());
+  glNamedFramebufferRenderbuffer(name, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target.sampled_depth.name());
+  check(framebuffer);
+  return framebuffer;
+}
+
+void blit(const Target& target, GLbitfield what) {
+  glBlitNamedFramebuffer(target.framebuffer.name(), target.resolved.name(), 0, 0, target.width, target.height, 0, 0,
+                         target.width, target.height, what, GL_NEAREST);
 }
 
 }  // namespace
@@ -35,13 +65,13 @@ Target make_target(int width, int height, int samples) {
   target.width = width;
   target.height = height;
   target.samples = std::clamp(samples, 1, std::max(1, most));
-  target.colour = make_renderbuffer(GL_SRGB8_ALPHA8, target, target.samples);
-  target.depth = make_renderbuffer(GL_DEPTH_COMPONENT32F, target, target.samples);
-  target.framebuffer = make_framebuffer(target.colour.name(), target.depth.name());
-  if (target.samples > 1) {
-    target.resolved_colour = make_renderbuffer(GL_SRGB8_ALPHA8, target, 1);
-    target.resolved = make_framebuffer(target.resolved_colour.name(), 0);
-  }
+  target.colour = make_texture(kColour, target);
+  target.depth = make_texture(kDepth, target);
+  (target.samples > 1 ? target.resolved : target.framebuffer) = with_textures(target);
+  if (target.samples == 1) return target;
+  target.sampled_colour = make_renderbuffer(kColour, target);
+  target.sampled_depth = make_renderbuffer(kDepth, target);
+  target.framebuffer = with_samples(target);
   return target;
 }
 
@@ -53,8 +83,11 @@ void bind(const Target& target) {
 void resolve(const Target& target) {
   if (target.samples == 1) return;
   glEnable(GL_FRAMEBUFFER_SRGB);
-  glBlitNamedFramebuffer(target.framebuffer.name(), target.resolved.name(), 0, 0, target.width, target.height, 0, 0,
-                         target.width, target.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  blit(target, GL_COLOR_BUFFER_BIT);
+}
+
+void resolve_depth(const Target& target) {
+  if (target.samples > 1) blit(target, GL_DEPTH_BUFFER_BIT);
 }
 
 }  // namespace manzana::gl

@@ -1,11 +1,29 @@
 #pragma once
 /// GL names as move-only values. Each dies with its context current; 0 owns nothing.
 ///   Buffer vertices = make_buffer(bytes, 0);      // gl/buffer.h
+/// Where the context is gone already, nothing may be asked of GL:
+///   const LostContext lost; renderer.reset();     // the names are given up
 #include <glad/gl.h>
 
 #include <utility>
 
 namespace manzana::gl {
+
+/// While one lives, names and mapped memory that die on this thread are given up without a call.
+class LostContext {
+ public:
+  LostContext() { ++alive(); }
+  ~LostContext() { --alive(); }
+  LostContext(const LostContext&) = delete;
+  LostContext& operator=(const LostContext&) = delete;
+  static bool any() { return alive() > 0; }
+
+ private:
+  static int& alive() {
+    thread_local int count = 0;
+    return count;
+  }
+};
 
 template <void (*Delete)(GLuint)>
 class Handle {
@@ -18,7 +36,7 @@ class Handle {
     return *this;
   }
   ~Handle() {
-    if (name_ != 0) Delete(name_);
+    if (name_ != 0 && !LostContext::any()) Delete(name_);
   }
   GLuint name() const { return name_; }
 

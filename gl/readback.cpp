@@ -16,6 +16,7 @@ Readback::Readback(std::size_t bytes) : bytes_(bytes) {
 }
 
 Readback::~Readback() {
+  if (LostContext::any()) return;
   for (const GLsync fence : fences_) glDeleteSync(fence);
   glUnmapNamedBuffer(buffer_.name());
 }

@@ -10,13 +10,17 @@ using culling::LeafRun;
 
 VisibleSets::VisibleSets(const Scene& scene) : answer(scene.tree) { cars.reserve(scene.traffic.cars()); }
 
-void find_visible(const Scene& scene, const culling::View& view, Structure structure, VisibleSets& sets) {
-  sets.frustum = make_frustum(view);
+void find_visible(const Scene& scene, const culling::FrustumD& frustum, Structure structure, VisibleSets& sets) {
+  sets.frustum = frustum;
   // Without planes everything is inside.
   const culling::Planes planes =
       structure == Structure::none ? culling::Planes{} : make_planes(scene.tree, sets.frustum);
   cull(scene.tree, planes, sets.answer, {.blocks = true});
   ordered(sets.answer);
+}
+
+void find_visible(const Scene& scene, const culling::View& view, Structure structure, VisibleSets& sets) {
+  find_visible(scene, make_frustum(view), structure, sets);
 }
 
 CarStats find_cars(const Scene& scene, std::uint64_t tick, VisibleSets& sets) {

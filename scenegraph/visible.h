@@ -28,6 +28,7 @@ struct VisibleSets {
   std::vector<CarState> cars;
 };
 
+void find_visible(const Scene& scene, const culling::FrustumD& frustum, Structure structure, VisibleSets& sets);
 void find_visible(const Scene& scene, const culling::View& view, Structure structure, VisibleSets& sets);
 
 /// The cars on half-streets of the visible blocks; in blocks that cross the frustum, each is tested with a ball of

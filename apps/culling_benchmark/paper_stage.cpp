@@ -180,7 +180,7 @@ void Stage::begin_frame(const culling::View& view) {
   glClearNamedFramebufferfv(target_.framebuffer.name(), GL_COLOR, 0, &sky.x);
   glClearNamedFramebufferfv(target_.framebuffer.name(), GL_DEPTH, 0, &farthest);
   glUseProgram(program_.name());
-  const Mat4 matrix = draw::view_projection(view);
+  const Mat4 matrix(draw::camera_of(view).view_projection);
   const Vec3 eye(view.eye);
   glUniformMatrix4fv(0, 1, GL_FALSE, &matrix[0].x);
   glUniform3fv(1, 1, &eye.x);

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "foliage_benchmark_parts_shaders.h"
-#include "scenegraph/draw/camera.h"
+#include "scenegraph/draw/frame_data.h"
 #include "scenegraph/draw/tree_layer.h"
 
 namespace manzana::foliage_benchmark {
@@ -193,7 +193,7 @@ void Stage::begin(const Shot& shot) {
   draw::DrawOptions options;
   options.layers.fog = false;
   options.sun = shot.sun;
-  draw::FrameData frame = draw::make_frame(LocalFrame{}, shot.view, options, BlockFrame{});
+  draw::FrameData frame = draw::make_frame(LocalFrame{}, draw::camera_of(shot.view), options, BlockFrame{});
   // Level ground, wherever the eye is.
   frame.up = {0, 0, 1, 1};
   upload(frame_, frame);

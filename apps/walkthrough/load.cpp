@@ -11,6 +11,7 @@
 #include "apps/common/progress_bar.h"
 #include "foliage/import/species.h"
 #include "scenegraph/import/ecosystem_features.h"
+#include "scenegraph/import/tree_species.h"
 
 namespace manzana::walkthrough {
 namespace {
@@ -111,9 +112,7 @@ Imported load_city(const Options& options, Plants& plants) {
 }
 
 void load_other_plants(const Options& options, const Scene& scene, Plants& plants) {
-  std::array<bool, kPlantSpecies> stands{};
-  for (const TreeInstance& tree : scene.trees.instances)
-    if (tree.plant < kPlantSpecies) stands[tree.plant] = true;
+  const auto stands = species_in(scene);
   const auto missing = species_where([&](std::size_t i) { return stands[i] && !has_file(options, i); });
   load_each(options, missing, [&](std::size_t i, const foliage::PrepareOptions& how) {
     plants[i] =

@@ -1,37 +1,32 @@
 #pragma once
-/// From double to float, once a frame: the camera's matrix, the light, and where each visible block lies.
-///   FrameData frame = make_frame(scene.frame, view, options, scene.blocks[0]);
-///   BlockRows rows = relative_to(view.eye, scene.blocks[b]);
-/// Every difference of positions is taken in double and only then cast, so nothing depends on where on the Earth the
-/// scene lies [numerics R1, 7.1].
-#include <array>
-
-#include "culling/vec.h"
-#include "scenegraph/draw/renderer.h"
+/// What a picture is taken with, whoever made it: a View of ours, or the matrices of a host, perspective or
+/// orthographic, off the axis, mirrored, with any depth. Drawn with a depth of our own, reversed: 1 near, 0 far.
+///   const Camera camera = camera_of(view);
+///   const Camera hosts = camera_of(projection, view_matrix, culling::ClipDepth::minus_one_to_one, height_px);
+#include "culling/frustum.h"
+#include "culling/host_camera.h"
 
 namespace manzana::draw {
 
-namespace glsl {
-using vec4 = glm::vec4;
-using mat4 = glm::mat4;
-#include "scenegraph/draw/shaders/frame_layout.glsl"
-}  // namespace glsl
-using glsl::FrameData;
-static_assert(sizeof(FrameData) == 64 + 13 * 16);  // std140
+/// In L, metres.
+struct Camera {
+  Vec3d eye{0};                ///< drawn positions are relative to it. Of an orthographic view: far behind, so that the
+                               ///< distance from it, on which detail depends, is about the same for all that is seen
+  Mat4d view_projection{1};    ///< of positions relative to the eye; reversed depth
+  Vec3d ray_forward{0, 1, 0};  ///< the ray of a pixel is forward + x right + y up, with x and y in -1..1
+  Vec3d ray_right{1, 0, 0}, ray_up{0, 0, 1};
+  culling::FrustumD frustum;
+  bool mirrored = false;
+  bool orthographic = false;
+};
 
-/// A rigid or scaled placement, relative to the eye: p -> (dot(row[i].xyz, p) + row[i].w), metres.
-using Rows = std::array<Vec4, 3>;
-Rows relative_to(const Vec3d& eye, const BlockFrame& block);
-inline Vec3 placed(const Rows& rows, const Vec3& p) {
-  const Vec4 q(p, 1.0F);
-  return {glm::dot(rows[0], q), glm::dot(rows[1], q), glm::dot(rows[2], q)};
-}
+Camera camera_of(const culling::View& view);
 
-/// Of positions relative to the eye. Reversed infinite depth: near_m gives 1, infinity 0 (with GL_ZERO_TO_ONE).
-Mat4 view_projection(const culling::View& view);
+/// As culling/host_camera.h takes them; of a perspective one the apex is the view's origin. What is singular sees
+/// nothing. `height_px`: of the picture, for the distance of an orthographic eye.
+Camera camera_of(const Mat4d& projection, const Mat4d& view, culling::ClipDepth depth, double height_px);
 
-/// `anchor`: a fixed frame of the scene, where the noise of the ground begins.
-FrameData make_frame(const LocalFrame& frame, const culling::View& view, const DrawOptions& options,
-                     const BlockFrame& anchor);
+/// Pixels of a metre at a distance of a metre, in a picture of that height.
+double focal_px(const Camera& camera, double height_px);
 
 }  // namespace manzana::draw

@@ -142,12 +142,17 @@ Drawn make_commands(std::span<const std::uint32_t> first, std::span<const cullin
   return drawn;
 }
 
-CityLayer::CityLayer(const MeshLayer& layer) {
-  const PaintedIndices sorted = sort_by_paint(layer.mesh, layer.index_first);
-  const std::vector<CityVertex> laned = with_lanes(layer.mesh);
-  vertices = gl::make_buffer(std::as_bytes(std::span(laned)));
-  indices = gl::make_buffer(std::as_bytes(std::span(sorted.indices)));
-  for (std::size_t p = 0; p < kPaints; ++p) first[p] = of_objects(sorted.first[p], layer.table.row_first);
+PreparedLayer prepare_layer(const MeshLayer& layer) {
+  PaintedIndices sorted = sort_by_paint(layer.mesh, layer.index_first);
+  PreparedLayer prepared{with_lanes(layer.mesh), std::move(sorted.indices), {}};
+  for (std::size_t p = 0; p < kPaints; ++p) prepared.first[p] = of_objects(sorted.first[p], layer.table.row_first);
+  return prepared;
+}
+
+CityLayer::CityLayer(const PreparedLayer& prepared, gl::Uploads& uploads)
+    : vertices(uploads.make(std::as_bytes(std::span(prepared.vertices)))),
+      indices(uploads.make(std::as_bytes(std::span(prepared.indices)))),
+      first(prepared.first) {
   array = make_array(vertices, indices);
 }
 

@@ -2,14 +2,16 @@
 /// Buildings and surfaces on the GPU. A layer's indices are kept once for each way of painting, in the order of the
 /// objects, so that a run of objects is one command for each paint and each shader is short: software devices run both
 /// sides of every branch.
-///   CityLayer layer(scene.buildings);
-///   draw_city(layer, paints, objects, stream);
+///   const PreparedLayer prepared = prepare_layer(scene.buildings);   // no GL
+///   CityLayer layer(prepared, uploads);
+///   draw_city(layer, paints, objects, stream);                       // once it is uploaded
 #include <array>
 #include <span>
 #include <vector>
 
 #include "gl/buffer.h"
 #include "gl/program.h"
+#include "gl/uploads.h"
 #include "scenegraph/draw/instances.h"
 #include "scenegraph/scene.h"
 
@@ -37,12 +39,21 @@ std::vector<std::uint8_t> count_lanes(const CityMesh& mesh);
 Drawn make_commands(std::span<const std::uint32_t> first, std::span<const culling::ObjectRun> runs,
                     gl::DrawCommand* out);
 
+/// A layer as the GPU will have it.
+struct PreparedLayer {
+  std::vector<CityVertex> vertices;
+  std::vector<std::uint32_t> indices;
+  std::array<std::vector<std::uint32_t>, kPaints> first;  ///< a row an object of the tree, and one more
+};
+/// Throws std::runtime_error for more than 2^24 blocks.
+PreparedLayer prepare_layer(const MeshLayer& layer);
+
 struct CityLayer {
-  /// Throws std::runtime_error for more than 2^24 blocks.
-  explicit CityLayer(const MeshLayer& layer);
+  /// `prepared` must stay until it is uploaded.
+  CityLayer(const PreparedLayer& prepared, gl::Uploads& uploads);
   gl::VertexArray array;
   gl::Buffer vertices, indices;
-  std::array<std::vector<std::uint32_t>, kPaints> first;  ///< a row an object of the tree, and one more
+  std::array<std::vector<std::uint32_t>, kPaints> first;
 };
 
 std::size_t stream_bytes(const CityLayer& layer, std::size_t runs);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gl/buffer.h"
-#include "scenegraph/draw/camera.h"
+#include "scenegraph/draw/frame_data.h"
 
 namespace manzana::draw {
 

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 #include "gl/framebuffer.h"
 #include "manzana_draw_shaders.h"
 #include "scenegraph/draw/car_layer.h"
 #include "scenegraph/draw/city_layer.h"
+#include "scenegraph/draw/compositor.h"
 #include "scenegraph/draw/debug_volumes.h"
+#include "scenegraph/draw/frame_data.h"
+#include "scenegraph/draw/pick.h"
 #include "scenegraph/draw/shadows.h"
 #include "scenegraph/draw/sky.h"
 #include "scenegraph/draw/tree_layer.h"
@@ -17,7 +21,7 @@ namespace {
 
 constexpr GLuint kFrameBinding = 0, kBlocksBinding = 1;
 
-void set_depth_and_colour(const culling::View& view) {
+void set_depth_and_colour(const Camera& camera) {
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GEQUAL);
@@ -27,20 +31,13 @@ void set_depth_and_colour(const culling::View& view) {
   glEnable(GL_FRAMEBUFFER_SRGB);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glCullFace(GL_BACK);
-  const bool mirror = glm::dot(glm::cross(view.forward, view.up), view.right) < 0;
-  glFrontFace(mirror ? GL_CW : GL_CCW);
+  glFrontFace(camera.mirrored ? GL_CW : GL_CCW);
 }
 
-void clear(const gl::Target& target, const FrameData& frame) {
-  const Vec4 horizon = frame.horizon;
+void clear(const gl::Target& target, const Vec4& colour) {
   const float zero = 0;
-  glClearNamedFramebufferfv(target.framebuffer.name(), GL_COLOR, 0, &horizon.x);
+  glClearNamedFramebufferfv(target.framebuffer.name(), GL_COLOR, 0, &colour.x);
   glClearNamedFramebufferfv(target.framebuffer.name(), GL_DEPTH, 0, &zero);
-}
-
-/// Pixels of a metre at a distance of a metre.
-double focal_px(const gl::Target& target, const culling::View& view) {
-  return target.height / (view.tan_top - view.tan_bottom);
 }
 
 void add(FrameCounts& counts, const Drawn& drawn) {
@@ -50,13 +47,30 @@ void add(FrameCounts& counts, const Drawn& drawn) {
 
 }  // namespace
 
+struct PreparedCity {
+  PreparedLayer buildings, surfaces;
+};
+
+std::shared_ptr<const PreparedCity> prepare_city(const Scene& scene) {
+  return std::make_shared<PreparedCity>(PreparedCity{prepare_layer(scene.buildings), prepare_layer(scene.surfaces)});
+}
+
+std::size_t device_bytes(const PreparedCity& city) {
+  std::size_t sum = 0;
+  for (const PreparedLayer* layer : {&city.buildings, &city.surfaces})
+    sum += std::as_bytes(std::span(layer->vertices)).size() + std::as_bytes(std::span(layer->indices)).size();
+  return sum;
+}
+
 struct Renderer::State {
-  State(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& asked)
-      : quality(asked),
+  State(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& asked,
+        std::shared_ptr<const PreparedCity> prepared)
+      : city(std::move(prepared)),
+        quality(asked),
         anchor(scene.blocks.empty() ? BlockFrame{} : scene.blocks.front()),
         rows(scene.blocks.size()),
-        buildings(scene.buildings),
-        surfaces(scene.surfaces),
+        buildings(city->buildings, uploads),
+        surfaces(city->surfaces, uploads),
         paints(make_paint_programs()),
         trees(scene.trees, plants, {}),
         cars(scene.traffic.cars()),
@@ -64,8 +78,12 @@ struct Renderer::State {
 
   std::size_t bytes_of_frame(const VisibleSets& sets) const;
   void upload_frame(const VisibleSets& sets, const FrameData& frame);
-  void draw_layers(const Scene& scene, const VisibleSets& sets, const culling::View& view, const DrawOptions& options,
+  void draw_layers(const Scene& scene, const VisibleSets& sets, const Camera& camera, const DrawOptions& options,
                    FrameCounts& counts);
+
+  std::shared_ptr<const PreparedCity> city;  ///< until it is uploaded
+  gl::Uploads uploads;
+  const gl::Target& target() const { return targets[screen]; }
 
   Quality quality;
   BlockFrame anchor;
@@ -78,7 +96,9 @@ struct Renderer::State {
   Sky sky;
   DebugVolumes volumes;
   gl::StreamBuffer stream;
-  gl::Target target;
+  std::vector<gl::Target> targets;
+  std::size_t screen = 0;
+  Compositor compositor;
 };
 
 std::size_t Renderer::State::bytes_of_frame(const VisibleSets& sets) const {
@@ -102,7 +122,7 @@ void Renderer::State::upload_frame(const VisibleSets& sets, const FrameData& fra
 }
 
 // What stands high hides what lies flat, and the sky shades only what is left.
-void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, const culling::View& view,
+void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, const Camera& camera,
                                   const DrawOptions& options, FrameCounts& counts) {
   const Layers& layers = options.layers;
   const foliage::Wind wind{Vec3(0.8, 0.6, 0) * static_cast<float>(options.wind), static_cast<float>(options.seconds)};
@@ -113,12 +133,12 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
   }
   if (layers.cars) {
     counts.cars = sets.cars.size();
-    add(counts, draw_cars(cars, scene, sets.cars, view.eye, stream));
+    add(counts, draw_cars(cars, scene, sets.cars, camera.eye, stream));
   }
   glDisable(GL_CULL_FACE);
   if (layers.trees) {
     counts.trees = count(scene.trees.table, sets.objects());
-    add(counts, draw_trees(trees, {static_cast<float>(focal_px(target, view)), target.samples, wind}));
+    add(counts, draw_trees(trees, {static_cast<float>(focal_px(camera, target().height)), target().samples, wind}));
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, stream.name());
   }
   if (layers.surfaces) {
@@ -134,33 +154,63 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
 }
 
 Renderer::Renderer(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& quality)
-    : state_(std::make_unique<State>(scene, plants, quality)) {
+    : Renderer(scene, plants, quality, prepare_city(scene)) {
+  upload(std::numeric_limits<std::size_t>::max());
+}
+
+Renderer::Renderer(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& quality,
+                   std::shared_ptr<const PreparedCity> city)
+    : state_(std::make_unique<State>(scene, plants, quality, std::move(city))) {
   resize({1, 1});
 }
+
+std::size_t Renderer::upload(std::size_t most_bytes) {
+  state_->uploads.step(most_bytes);
+  if (state_->uploads.left() == 0) state_->city.reset();
+  return state_->uploads.left();
+}
+
+std::size_t Renderer::device_bytes() const {
+  const State& s = *state_;
+  std::size_t sum = 0;
+  for (const gl::Target& t : s.targets)
+    sum += static_cast<std::size_t>(t.width) * static_cast<std::size_t>(t.height) * 8 *
+           static_cast<std::size_t>(t.samples > 1 ? t.samples + 1 : 1);
+  for (const CityLayer* layer : {&s.buildings, &s.surfaces})
+    sum += gl::bytes_of(layer->vertices) + gl::bytes_of(layer->indices);
+  return sum + gl::bytes_of(s.stream.buffer()) + device_bytes_of(s.trees);
+}
+
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-void Renderer::resize(Size size) {
-  state_->target = gl::make_target(std::max(1, size.width), std::max(1, size.height), state_->quality.samples);
+void Renderer::resize(Size size, std::size_t screen) {
+  State& s = *state_;
+  size = {std::max(1, size.width), std::max(1, size.height)};
+  if (s.targets.size() <= screen) s.targets.resize(screen + 1);
+  gl::Target& target = s.targets[screen];
+  if (target.width != size.width || target.height != size.height)
+    target = gl::make_target(size.width, size.height, s.quality.samples);
+  s.screen = screen;
 }
 
-FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const culling::View& view,
+FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Camera& camera,
                            const DrawOptions& options) {
   State& s = *state_;
   assert(scene.blocks.size() == s.rows.size());
-  const FrameData frame = make_frame(scene.frame, view, options, s.anchor);
-  const double f_px = focal_px(s.target, view);
+  const FrameData frame = make_frame(scene.frame, camera, options, s.anchor);
+  const double f_px = focal_px(camera, s.target().height);
   for (const culling::LeafRun& run : sets.blocks()) {
-    for (std::uint32_t b = run.first; b < run.last; ++b) s.rows[b] = relative_to(view.eye, scene.blocks[b]);
+    for (std::uint32_t b = run.first; b < run.last; ++b) s.rows[b] = relative_to(camera.eye, scene.blocks[b]);
   }
-  count_cars(sets.cars, view.eye, f_px * s.quality.car_detail, s.cars.selection);
+  count_cars(sets.cars, camera.eye, f_px * s.quality.car_detail, s.cars.selection);
 
   FrameCounts counts;
   s.stream.begin(s.bytes_of_frame(sets));
-  gl::bind(s.target);
-  set_depth_and_colour(view);
-  clear(s.target, frame);
+  gl::bind(s.target());
+  set_depth_and_colour(camera);
+  clear(s.target(), options.transparent ? Vec4(0) : frame.horizon);
   s.upload_frame(sets, frame);
   if (options.layers.trees) {
     const TreeDetail detail{options.tree_law, options.tree_error_px / f_px, options.tree_vertices,
@@ -169,9 +219,9 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const cu
     counts.tree_error_px = s.trees.law == foliage::Law::full ? 0 : s.trees.error_at_1m * f_px;
     counts.tree_law = s.trees.law;
   }
-  s.draw_layers(scene, sets, view, options, counts);
-  if (options.frozen != nullptr) draw_lines(s.volumes, volume_lines(scene.tree, *options.frozen, view.eye));
-  gl::resolve(s.target);
+  s.draw_layers(scene, sets, camera, options, counts);
+  if (options.frozen != nullptr) draw_lines(s.volumes, volume_lines(scene.tree, *options.frozen, camera.eye));
+  gl::resolve(s.target());
   s.stream.end();
   return counts;
 }
@@ -179,14 +229,25 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const cu
 foliage::Shown Renderer::trees_shown() const { return newest_shown(state_->trees); }
 
 void Renderer::present(unsigned framebuffer) {
-  const gl::Target& target = state_->target;
+  const gl::Target& target = state_->target();
   glDisable(GL_FRAMEBUFFER_SRGB);  // the bytes as they are
   glBlitNamedFramebuffer(target.picture().name(), framebuffer, 0, 0, target.width, target.height, 0, 0, target.width,
                          target.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
+void Renderer::overlay(const Overlay& how) {
+  gl::resolve_depth(state_->target());
+  draw_overlay(state_->compositor, state_->target(), how);
+}
+
+std::vector<std::uint32_t> Renderer::pick(const Scene& scene, const VisibleSets& sets, const Camera& camera,
+                                          const PixelRect& rect) {
+  const State& s = *state_;
+  return pick_objects({scene, sets, s.buildings, s.surfaces}, camera, {s.target().width, s.target().height}, rect);
+}
+
 std::vector<unsigned char> Renderer::read_pixels() {
-  const gl::Target& target = state_->target;
+  const gl::Target& target = state_->target();
   const std::size_t row = 3 * static_cast<std::size_t>(target.width);
   std::vector<unsigned char> pixels(row * static_cast<std::size_t>(target.height));
   glBindFramebuffer(GL_READ_FRAMEBUFFER, target.picture().name());

@@ -13,6 +13,7 @@
 
 #include "culling/frustum.h"
 #include "foliage/detail.h"
+#include "scenegraph/draw/camera.h"
 #include "scenegraph/scene.h"
 #include "scenegraph/visible.h"
 
@@ -42,6 +43,7 @@ struct DrawOptions {
   double wind = 0;               ///< strength, 0 to 1
   double seconds = 0;            ///< of the wind
   double fog_distance_m = 4000;  ///< where half of the light is the air's
+  bool transparent = false;      ///< where nothing stands, without a sky, alpha is 0; else the horizon's colour
   /// Debug view: volumes of the tree for this frustum, drawn as lines over what is drawn for the view. nullptr: none.
   const culling::View* frozen = nullptr;
 };
@@ -58,21 +60,57 @@ struct Size {
   int width = 0, height = 0;
 };
 
+/// Pixels, from the lower left corner.
+struct PixelRect {
+  int x = 0, y = 0, width = 1, height = 1;
+};
+
+/// How a picture is laid over a host's.
+struct Overlay {
+  PixelRect viewport;  ///< of the host's framebuffer
+  /// The host's depth, 0 to 1, of one of ours, 1 to 0: scale * ours + offset.
+  double depth_scale = 1, depth_offset = 0;
+  bool nearer_is_less = false;  ///< of the host's
+  bool linear = false;          ///< it encodes what is written (GL_FRAMEBUFFER_SRGB); else it is given sRGB values
+};
+
+/// A scene's meshes as the GPU will have them. No GL.
+struct PreparedCity;
+std::shared_ptr<const PreparedCity> prepare_city(const Scene& scene);
+std::size_t device_bytes(const PreparedCity& city);
+
 class Renderer {
  public:
-  /// `plants`: by TreeInstance::plant; those that no tree is may be empty. Uploads everything. Throws std::runtime_error when a shader does not
-  /// compile (with its log) or the scene does not fit the device's buffers.
+  /// `plants`: by TreeInstance::plant; those that no tree is may be empty. Uploads everything. Throws
+  /// std::runtime_error when a shader does not compile (with its log) or the scene does not fit the device's buffers.
   Renderer(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& quality);
+  /// The meshes, by far the most of it, wait for upload(); nothing may be drawn before all are there.
+  Renderer(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& quality,
+           std::shared_ptr<const PreparedCity> city);
+  /// At most so many bytes; returns how many are left.
+  std::size_t upload(std::size_t most_bytes);
+  std::size_t device_bytes() const;  ///< of buffers and pictures, about
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  void resize(Size size);  ///< allocates the framebuffer; at least 1 x 1
+  /// The framebuffer of that size, at least 1 x 1, is drawn into from now on: of several screens each keeps its own.
+  void resize(Size size, std::size_t screen = 0);
   /// Chooses levels and draws into the renderer's own framebuffer.
-  FrameCounts draw(const Scene& scene, const VisibleSets& sets, const culling::View& view, const DrawOptions& options);
+  FrameCounts draw(const Scene& scene, const VisibleSets& sets, const Camera& camera, const DrawOptions& options);
+  FrameCounts draw(const Scene& scene, const VisibleSets& sets, const culling::View& view, const DrawOptions& options) {
+    return draw(scene, sets, camera_of(view), options);
+  }
   /// What was drawn of trees, by the newest frame that the GPU has finished: the last one after glFinish.
   foliage::Shown trees_shown() const;
   void present(unsigned framebuffer);  ///< copies the picture there, same size, at (0, 0)
+  /// Lays the picture over what the bound framebuffer shows, premultiplied, and its depth beside what is there: what is
+  /// nearer stays. Leaves GL's state changed.
+  void overlay(const Overlay& how);
+  /// Of each pixel of a rectangle of the picture the number of the tree's object (BqrTree) that is seen there, plus 1;
+  /// 0 of none. Trees are picked by their crowns. Rows from the bottom. Waits for the GPU.
+  std::vector<std::uint32_t> pick(const Scene& scene, const VisibleSets& sets, const Camera& camera,
+                                  const PixelRect& rect);
   /// The picture as RGB bytes, rows from the top. Waits for the GPU; not for use in a frame.
   std::vector<unsigned char> read_pixels();
 

@@ -23,8 +23,8 @@ std::vector<foliage::TreeSite> sites_of(const TreeLayer& trees, std::span<const 
   sites.reserve(trees.instances.size());
   for (const TreeInstance& tree : trees.instances) {
     if (tree.plant >= plants.size()) throw std::invalid_argument("a tree's plant is missing");
-    foliage::TreeSite& site =
-        sites.emplace_back(make_site(plants[tree.plant], tree.plant, tree.height_m, tree.crown_radius_m, tree.yaw, sites.size()));
+    foliage::TreeSite& site = sites.emplace_back(
+        make_site(plants[tree.plant], tree.plant, tree.height_m, tree.crown_radius_m, tree.yaw, sites.size()));
     site.position = tree.position;
     site.block = tree.block;
     site.hash = (site.hash & ~255U) | tree.tint;
@@ -107,6 +107,18 @@ TreeLayerGpu::TreeLayerGpu(const TreeLayer& trees, std::span<const foliage::Prep
 
 std::size_t stream_bytes(const TreeLayerGpu& layer) {
   return gl::StreamBuffer::padded(layer.sites.size() * sizeof(GLuint));
+}
+
+std::size_t device_bytes_of(const TreeLayerGpu& layer) {
+  constexpr std::size_t kImageBytes = 256 * 256 * 4 * 4 / 3;  // with its smaller levels
+  const foliage::PlantStore& store = layer.store;
+  const foliage::Extractor& e = layer.extractor;
+  std::size_t sum = 2 * layer.plants.size() * kImageBytes;
+  for (const gl::Buffer* buffer :
+       {&store.plants, &store.cells, &store.steps, &store.details, &store.views, &store.quads, &store.lines,
+        &store.points, &e.sites, &e.trees, &e.items, &e.groups, &e.commands})
+    sum += gl::bytes_of(*buffer);
+  return sum;
 }
 
 void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const culling::ObjectRun> objects,

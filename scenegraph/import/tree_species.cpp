@@ -98,6 +98,13 @@ TreeHabit habit_of(PlantSpecies species) {
   return {8, 15, 0.27};
 }
 
+std::array<bool, kPlantSpecies> species_in(const Scene& scene) {
+  std::array<bool, kPlantSpecies> stands{};
+  for (const TreeInstance& tree : scene.trees.instances)
+    if (tree.plant < kPlantSpecies) stands[tree.plant] = true;
+  return stands;
+}
+
 TreeFeature free_tree(const Vec2d& at, double height, PlantSpecies species) {
   constexpr double kWider = 1.3;
   const PlantKind kind = kind_of(species);

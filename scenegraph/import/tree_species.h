@@ -1,6 +1,7 @@
 #pragma once
 /// Which species stands where nothing says so, and how large its trees are.
 ///   tree.species = species_for(PlantKind::broadleaf, TreePlace::row, way_id);
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -23,6 +24,9 @@ struct TreeHabit {
   double low, high, crown;
 };
 TreeHabit habit_of(PlantSpecies species);
+
+/// Those that a scene has.
+std::array<bool, kPlantSpecies> species_in(const Scene& scene);
 
 /// One that stands free, so with a wide crown. `height`: of a plain tree of its kind.
 TreeFeature free_tree(const Vec2d& at, double height, PlantSpecies species);

@@ -1,4 +1,4 @@
-#include "scenegraph/draw/camera.h"
+#include "scenegraph/draw/frame_data.h"
 
 #include <catch2/catch.hpp>
 
@@ -15,7 +15,7 @@ TEST_CASE("the matrix puts points where the projection by hand does, also off ax
       view.tan_top = 0.9;
     }
     if (kind == 2) view.right = -view.right;
-    const Mat4 matrix = view_projection(view);
+    const Mat4 matrix(camera_of(view).view_projection);
     for (int i = 0; i < 50; ++i) {
       const Vec3d rel = view.forward * (1.0 + i) + view.right * (0.1 * (i % 7)) + view.up * (0.07 * (i % 5));
       const Vec4 clip = matrix * Vec4(Vec3(rel), 1);

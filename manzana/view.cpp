@@ -1,0 +1,247 @@
+#include "manzana/view.h"
+
+#include <EGL/egl.h>
+
+#include <cassert>
+#include <mutex>
+#include <stdexcept>
+
+#include "gl/context.h"
+#include "gl/state.h"
+
+namespace manzana {
+namespace {
+
+using culling::ClipDepth;
+using RendererPtr = std::unique_ptr<draw::Renderer>;
+
+/// What one camera sees of the shown model.
+struct Eye {
+  HostCamera host;
+  draw::Camera camera;
+  std::unique_ptr<VisibleSets> sets;
+};
+
+/// A model on its way to the device, or there.
+struct Resident {
+  std::shared_ptr<const Model> model;
+  RendererPtr renderer;
+  std::size_t left = 0;  ///< bytes to upload
+};
+
+void load_functions_once(const Host& host) {
+  static std::once_flag once;
+  std::call_once(
+      once, [&] { gl::load_functions(host.get_proc_address != nullptr ? host.get_proc_address : &eglGetProcAddress); });
+}
+
+/// The host's depth of our own: both are linear in 1 / distance, or, without an apex, in the distance.
+void set_depth(draw::Overlay& overlay, const HostCamera& host, const draw::Camera& camera) {
+  overlay.nearer_is_less = host.depth != ClipDepth::reversed;
+  if (camera.orthographic) {
+    overlay.depth_scale = overlay.nearer_is_less ? -1 : 1;
+    overlay.depth_offset = overlay.nearer_is_less ? 1 : 0;
+    return;
+  }
+  const double at_infinity = host.projection[2][2] / host.projection[2][3];
+  const double growth = host.projection[3][2] / camera.view_projection[3][2];
+  const bool halved = host.depth == ClipDepth::minus_one_to_one;
+  overlay.depth_scale = halved ? growth / 2 : growth;
+  overlay.depth_offset = halved ? (at_infinity + 1) / 2 : at_infinity;
+}
+
+std::uint64_t blocks_in(std::span<const culling::LeafRun> runs) {
+  std::uint64_t blocks = 0;
+  for (const culling::LeafRun& run : runs) blocks += run.last - run.first;
+  return blocks;
+}
+
+Update::Seen count_seen(const Scene& scene, const VisibleSets& sets) {
+  return {blocks_in(sets.blocks()), count(scene.buildings.table, sets.objects()),
+          count(scene.surfaces.table, sets.objects()), count(scene.trees.table, sets.objects()), sets.cars.size()};
+}
+
+draw::DrawOptions over_a_host() {
+  draw::DrawOptions options;
+  options.layers.sky = options.layers.fog = false;
+  options.transparent = true;
+  return options;
+}
+
+}  // namespace
+
+struct View::State {
+  Host host;
+  ViewOptions options;
+  draw::DrawOptions drawing = over_a_host();
+  std::mutex mutex;  ///< of the two below
+  bool asked = false;
+  std::shared_ptr<const Model> wanted;
+
+  Resident shown, coming;
+  std::vector<RendererPtr> gone;  ///< to be freed with the context current
+  std::vector<Eye> eyes;
+  Update update;
+
+  void log(const std::string& line) const {
+    if (host.log) host.log(line);
+  }
+  void repaint() const {
+    if (host.request_repaint) host.request_repaint();
+  }
+  void drop(Resident& resident) {
+    if (resident.renderer) gone.push_back(std::move(resident.renderer));
+    resident = {};
+  }
+  void take_wanted();
+  void bring();
+  void swap_in();
+  void see(Eye& eye, const HostCamera& camera, double seconds);
+  void account();
+  void forget() noexcept;
+};
+
+/// What show() left, from whichever thread.
+void View::State::take_wanted() {
+  const std::scoped_lock lock(mutex);
+  if (!asked) return;
+  asked = false;
+  drop(coming);
+  if (!wanted) drop(shown);
+  coming.model = std::move(wanted);
+}
+
+/// One frame's share of the upload.
+void View::State::bring() {
+  if (!coming.model) return;
+  if (!coming.renderer) {
+    const std::uint64_t bytes = draw::device_bytes(*coming.model->prepared());
+    if (options.gpu_bytes > 0 && bytes > options.gpu_bytes) {
+      log("the city needs " + std::to_string(bytes) + " bytes of the device; " + std::to_string(options.gpu_bytes) +
+          " are allowed");
+      return drop(coming);
+    }
+    const draw::Quality quality =
+        options.quality.empty() ? draw::quality_for(gl::renderer_name()) : draw::quality_named(options.quality);
+    const Model& m = *coming.model;
+    coming.renderer = std::make_unique<draw::Renderer>(m.scene(), m.plants(), quality, m.prepared());
+  }
+  coming.left = coming.renderer->upload(options.upload_bytes_a_frame);
+  repaint();
+}
+
+void View::State::swap_in() {
+  if (!coming.renderer || coming.left > 0) return;
+  drop(shown);
+  shown = std::move(coming);
+  coming = {};
+  eyes.clear();
+}
+
+void View::State::see(Eye& eye, const HostCamera& camera, double seconds) {
+  const Scene& scene = shown.model->scene();
+  eye.host = camera;
+  eye.camera = draw::camera_of(camera.projection, camera.view, camera.depth, camera.viewport.height);
+  if (!eye.sets) eye.sets = std::make_unique<VisibleSets>(scene);
+  find_visible(scene, eye.camera.frustum, Structure::bqr, *eye.sets);
+  find_cars(scene, ticks(seconds), *eye.sets);
+}
+
+void View::State::account() {
+  update.shown = shown.renderer != nullptr;
+  update.bytes_to_upload = coming.left;
+}
+
+void View::State::forget() noexcept {
+  const std::shared_ptr<const Model> model = shown.model;
+  gone.clear();
+  shown.renderer.reset();
+  coming.renderer.reset();
+  if (!coming.model) coming.model = model;  // it comes back when it is drawn again
+  coming.left = 0;
+  shown = {};
+  eyes.clear();
+  account();
+}
+
+View::View(Host host, const ViewOptions& options) : state_(std::make_unique<State>()) {
+  state_->host = std::move(host);
+  state_->options = options;
+}
+
+View::~View() {
+  State& s = *state_;
+  if (!s.shown.renderer && !s.coming.renderer && s.gone.empty()) return;
+  s.log("a view was not released: what it held of the device stays there until its context goes");
+  context_lost();
+}
+
+void View::show(std::shared_ptr<const Model> model) {
+  {
+    const std::scoped_lock lock(state_->mutex);
+    state_->wanted = std::move(model);
+    state_->asked = true;
+  }
+  state_->repaint();
+}
+
+const Update& View::update(std::span<const HostCamera> cameras, double seconds) {
+  State& s = *state_;
+  s.take_wanted();
+  s.swap_in();
+  s.drawing.seconds = seconds;
+  s.update.cameras.assign(cameras.size(), {});
+  if (s.shown.model) {
+    if (s.eyes.size() < cameras.size()) s.eyes.resize(cameras.size());
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+      s.see(s.eyes[i], cameras[i], seconds);
+      s.update.cameras[i] = count_seen(s.shown.model->scene(), *s.eyes[i].sets);
+    }
+  }
+  s.account();
+  return s.update;
+}
+
+void View::render(std::size_t i) {
+  State& s = *state_;
+  load_functions_once(s.host);
+  const gl::SavedState saved;
+  gl::set_clean_state();
+  s.gone.clear();
+  s.bring();
+  if (!s.shown.renderer || i >= s.eyes.size()) return;
+  const Eye& eye = s.eyes[i];
+  draw::Renderer& renderer = *s.shown.renderer;
+  const draw::PixelRect& viewport = eye.host.viewport;
+  renderer.resize({viewport.width, viewport.height}, i);
+  renderer.draw(s.shown.model->scene(), *eye.sets, eye.camera, s.drawing);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, saved.framebuffer());
+  draw::Overlay overlay{.viewport = viewport, .linear = s.options.linear_framebuffer};
+  set_depth(overlay, eye.host, eye.camera);
+  renderer.overlay(overlay);
+  s.update.gpu_bytes = renderer.device_bytes();
+}
+
+void View::pick(std::size_t i, const draw::PixelRect& rect, std::span<FeatureId> ids) {
+  State& s = *state_;
+  assert(ids.size() == static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height));
+  std::fill(ids.begin(), ids.end(), 0);
+  if (!s.shown.renderer || i >= s.eyes.size()) return;
+  const gl::SavedState saved;
+  gl::set_clean_state();
+  const Eye& eye = s.eyes[i];
+  s.shown.renderer->resize({eye.host.viewport.width, eye.host.viewport.height}, i);
+  const auto seen = s.shown.renderer->pick(s.shown.model->scene(), *eye.sets, eye.camera, rect);
+  std::copy(seen.begin(), seen.end(), ids.begin());
+}
+
+draw::DrawOptions& View::drawing() { return state_->drawing; }
+
+void View::release() noexcept { state_->forget(); }
+
+void View::context_lost() noexcept {
+  const gl::LostContext lost;
+  state_->forget();
+}
+
+}  // namespace manzana

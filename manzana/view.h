@@ -1,0 +1,88 @@
+#pragma once
+/// A city in a window of another program's. The host owns the window, the GL 4.5 context, the framebuffer, the camera
+/// and the threads.
+///   View view({.request_repaint = [&] { widget.update(); }});
+///   view.show(Model::load("city.osm.pbf", {}));               // any thread
+///   ...in the host's paint event, its context current, its framebuffer bound:
+///   view.update({{{projection, view_matrix, ClipDepth::minus_one_to_one, {0, 0, width, height}}}}, seconds);
+///   view.render(0);
+///   ...before the context goes:  view.release();              // or, when it is gone: view.context_lost();
+/// Threads: show() from any; all else from one at a time. Views share nothing that changes: each may have its thread
+/// and context. render(), pick() and release() call GL, nothing else does; what they find of state they put back.
+/// Errors: std::runtime_error when the device cannot do what is needed; then nothing is shown, and show() may try
+/// again.
+#include <glm/mat4x4.hpp>
+
+#include "culling/host_camera.h"
+#include "manzana/model.h"
+#include "scenegraph/draw/renderer.h"
+
+namespace manzana {
+
+/// What the host lends. Any of it may be missing.
+struct Host {
+  std::function<void(const std::string& line)> log =
+      {};                                      ///< things to know, a line each; from the thread that they happen on
+  std::function<void()> request_repaint = {};  ///< another picture would differ; from show() and render()
+  /// As eglGetProcAddress and glfwGetProcAddress are; without one EGL's. Asked once a process.
+  void (*(*get_proc_address)(const char* name))() = nullptr;
+};
+
+struct ViewOptions {
+  std::uint64_t gpu_bytes = 0;  ///< a city that needs more is not shown, and the log says so; 0: no limit
+  std::uint64_t upload_bytes_a_frame = 8 << 20;  ///< of one render()
+  std::string quality = {};                      ///< low or high; empty: by the device
+  bool linear_framebuffer = false;               ///< the host's encodes what is written, as GL_FRAMEBUFFER_SRGB does
+};
+
+/// clip = projection * view * p, p in the model's frame L. Perspective or orthographic, skewed, any depth.
+struct HostCamera {
+  glm::dmat4 projection{1}, view{1};
+  culling::ClipDepth depth = culling::ClipDepth::minus_one_to_one;
+  draw::PixelRect viewport;  ///< in the host's framebuffer
+};
+
+/// What the next pictures will show, and what is still missing.
+struct Update {
+  struct Seen {
+    std::uint64_t blocks = 0, buildings = 0, surfaces = 0, trees = 0, cars = 0;
+  };
+  std::vector<Seen> cameras;
+  std::uint64_t bytes_to_upload = 0;  ///< 0: all is there
+  std::uint64_t gpu_bytes = 0;        ///< held of the device
+  bool shown = false;                 ///< the city is drawn; new ones start hidden
+};
+
+class View {
+ public:
+  explicit View(Host host = {}, const ViewOptions& options = {});
+  /// Makes no GL call: what was not released is given up, and logged.
+  ~View();
+  View(const View&) = delete;
+  View& operator=(const View&) = delete;
+
+  /// The city to draw; nullptr: none. What was shown stays until the new one is on the device.
+  void show(std::shared_ptr<const Model> model);
+
+  /// Finds what each camera sees, `seconds` after the start of the traffic. No GL, no allocation from the second time
+  /// on.
+  const Update& update(std::span<const HostCamera> cameras, double seconds);
+
+  /// Draws what camera `i` of the last update sees into the bound framebuffer, over what is there, by its depth.
+  void render(std::size_t i);
+
+  /// What stands in each pixel of a rectangle of camera i's viewport, rows from the bottom, into the host's memory.
+  void pick(std::size_t i, const draw::PixelRect& rect, std::span<FeatureId> ids);
+
+  /// How it is drawn from now on: layers, sun, error of trees, wind. Without sky unless asked.
+  draw::DrawOptions& drawing();
+
+  void release() noexcept;       ///< with the context current: frees all of the device. It may be drawn again
+  void context_lost() noexcept;  ///< the context is gone: nothing is asked of it. It may be drawn again in another
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace manzana

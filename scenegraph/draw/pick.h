@@ -1,0 +1,18 @@
+#pragma once
+/// What stands in a pixel: a pass of numbers, drawn only when somebody asks.
+#include "scenegraph/draw/city_layer.h"
+#include "scenegraph/draw/renderer.h"
+
+namespace manzana::draw {
+
+struct Pickable {
+  const Scene& scene;
+  const VisibleSets& sets;
+  const CityLayer &buildings, &surfaces;
+};
+
+/// As Renderer::pick has it. A framebuffer of the rectangle's size is made and goes again.
+std::vector<std::uint32_t> pick_objects(const Pickable& what, const Camera& camera, Size picture,
+                                        const PixelRect& rect);
+
+}  // namespace manzana::draw
