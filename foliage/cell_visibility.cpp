@@ -6,6 +6,7 @@
 #include <limits>
 #include <mutex>
 #include <stdexcept>
+#include <tuple>
 
 #include "foliage/octahedral.h"
 #include "foliage/raster.h"
@@ -18,7 +19,6 @@ constexpr int kFirstPixels = 256, kMostPixels = 2048, kMostForOne = 512;
 constexpr std::size_t kFew = 16;  // one cell of so many may be looked at again for itself
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr int kBlock = 8;  // pixels that are asked at once
 
 /// A quad as one view has it.
 struct SeenQuad {
@@ -36,34 +36,25 @@ struct SeenQuad {
   Form form;
 };
 
-/// Pixels that a fragment may change: where it is nearest, or the first of its id.
+/// Where a fragment is nearest or farthest, or the first of its id.
 struct OpenToId {
-  const float* near;
+  const float *near, *far;
   const std::uint32_t* last;
   std::uint32_t id;
 
-  bool at(std::size_t texel, float here) const { return here >= near[texel] || last[texel] != id; }
-  /// Whether any of a block is. Most are not where leaves lie deep; so written that a compiler makes vectors of it.
-  bool any(std::size_t texel, float here, float step) const {
-    std::uint32_t open = 0;
-    for (std::size_t j = 0; j < kBlock; ++j) {
-      const std::uint32_t nearer = here + step * static_cast<float>(j) >= near[texel + j] ? 1U : 0U;
-      open |= nearer | (last[texel + j] ^ id);
-    }
-    return open != 0;
+  Lanes<std::int32_t> operator()(std::size_t texel, const Lanes<float>& here) const {
+    return (here >= lanes_at(near + texel)) | (here <= lanes_at(far + texel)) | (lanes_at(last + texel) != id);
   }
 };
 
-/// Those where it is nearer than what is there; with `also_equal`, or as near.
+/// Where it is nearer than what is there; with `also_equal`, or as near.
 struct OpenToNearer {
   const float* near;
   bool also_equal;
 
-  bool at(std::size_t texel, float here) const { return here > near[texel] || (also_equal && here == near[texel]); }
-  bool any(std::size_t texel, float here, float step) const {
-    std::uint32_t open = 0;
-    for (std::size_t j = 0; j < kBlock; ++j) open |= here + step * static_cast<float>(j) >= near[texel + j] ? 1U : 0U;
-    return open != 0;
+  Lanes<std::int32_t> operator()(std::size_t texel, const Lanes<float>& here) const {
+    const Lanes<float> there = lanes_at(near + texel);
+    return also_equal ? here >= there : here > there;
   }
 };
 
@@ -75,55 +66,73 @@ void for_each_open(const SeenQuad& quad, int pixels, const LeafHoles* holes, con
     const auto row =
         static_cast<std::size_t>(span.y) * static_cast<std::size_t>(pixels) + static_cast<std::size_t>(span.first);
     const int size = span.last - span.first;
-    for (int i = 0; i < size; i += kBlock) {
-      if (!open.any(row + static_cast<std::size_t>(i), depth[i], depth.step())) continue;
-      for (int j = i; j < std::min(i + kBlock, size); ++j) {
-        const std::size_t texel = row + static_cast<std::size_t>(j);
-        if (open.at(texel, depth[j]) && (holes == nullptr || holes->opaque(u[j], v[j]))) visit(texel, depth[j]);
-      }
+    for (int i = 0; i < size; i += kLanes) {
+      const Lanes<float> here = depth.lanes(i);
+      const std::size_t first = row + static_cast<std::size_t>(i);
+      const Lanes<std::int32_t> may_change = open(first, here);
+      if (none(may_change)) continue;
+      const Lanes<std::int32_t> texels = holes != nullptr ? holes->texels(u.lanes(i), v.lanes(i)) : may_change;
+      for (int j = 0; j < std::min(size - i, kLanes); ++j)
+        if (may_change[j] != 0 && (holes == nullptr || holes->opaque(texels[j])))
+          visit(first + static_cast<std::size_t>(j), here[j]);
     }
   });
 }
 
 /// With room for a block past the last.
 std::size_t texels_of(const ParallelView& view) {
-  return static_cast<std::size_t>(view.pixels()) * static_cast<std::size_t>(view.pixels()) + kBlock;
+  return static_cast<std::size_t>(view.pixels()) * static_cast<std::size_t>(view.pixels()) + kLanes;
 }
 
-/// A picture of who is nearest, and who came last to each pixel.
+/// A picture of who is nearest and who is farthest, so of what both ends of the rays see; and who came last to each
+/// pixel.
 class IdPicture {
  public:
   explicit IdPicture(const ParallelView& view)
-      : view_(view), near_(texels_of(view), -kInfinity), nearest_(near_.size(), kNobody), last_(nearest_) {}
+      : view_(view),
+        near_(texels_of(view), -kInfinity),
+        far_(near_.size(), kInfinity),
+        nearest_(near_.size(), 0),
+        farthest_(nearest_),
+        last_(near_.size(), kNobody) {}
 
-  /// All quads of a cell; or some bark. Returns how many pixels they touch.
+  /// All quads of a cell; or some bark, as 0. Returns how many pixels they touch. In any order: of what is equally near
+  /// the greater id is seen, as GL_LEQUAL has it of what comes later.
   std::uint32_t draw(std::span<const PlantQuad> quads, std::uint32_t id, const LeafHoles* holes) {
     std::uint32_t own = 0;
-    for (const SeenQuad& quad : nearest_first(quads)) own += draw_quad(quad, id, holes);
+    sort_by_depth(quads);
+    for (std::size_t low = 0, high = seen_.size(); low < high;) {  // both ends first: most of the others change nothing
+      own += draw_quad(seen_[low++], id, holes);
+      if (low < high) own += draw_quad(seen_[--high], id, holes);
+    }
     return own;
   }
 
-  std::vector<std::uint32_t> histogram(std::size_t ids) const {
-    std::vector<std::uint32_t> count(ids, 0);
-    for (const std::uint32_t id : nearest_)
-      if (id < ids) ++count[id];
+  std::vector<std::uint32_t> seen(std::size_t cells) const { return histogram(nearest_, cells); }
+  std::vector<std::uint32_t> seen_from_behind(std::size_t cells) const { return histogram(farthest_, cells); }
+
+ private:
+  static std::vector<std::uint32_t> histogram(const std::vector<std::uint32_t>& picture, std::size_t cells) {
+    std::vector<std::uint32_t> count(cells, 0);
+    for (const std::uint32_t id : picture)
+      if (id > 0) ++count[id - 1];
     return count;
   }
 
- private:
-  /// So that most of the others change nothing.
-  const std::vector<SeenQuad>& nearest_first(std::span<const PlantQuad> quads) {
+  void sort_by_depth(std::span<const PlantQuad> quads) {
     seen_.clear();
     for (const PlantQuad& quad : quads) seen_.emplace_back(quad, view_);
     std::sort(seen_.begin(), seen_.end(), [](const SeenQuad& a, const SeenQuad& b) { return a.nearest > b.nearest; });
-    return seen_;
   }
 
   std::uint32_t draw_quad(const SeenQuad& quad, std::uint32_t id, const LeafHoles* holes) {
     std::uint32_t fresh = 0;
-    const OpenToId open{near_.data(), last_.data(), id};
+    const OpenToId open{near_.data(), far_.data(), last_.data(), id};
     for_each_open(quad, view_.pixels(), holes, open, [&](std::size_t texel, float here) {
-      if (here >= near_[texel]) near_[texel] = here, nearest_[texel] = id;  // as GL_LEQUAL has it
+      if (here > near_[texel] || (here == near_[texel] && id > nearest_[texel]))
+        near_[texel] = here, nearest_[texel] = id;
+      if (here < far_[texel] || (here == far_[texel] && id > farthest_[texel]))
+        far_[texel] = here, farthest_[texel] = id;
       fresh += last_[texel] != id ? 1 : 0;
       last_[texel] = id;
     });
@@ -131,8 +140,8 @@ class IdPicture {
   }
 
   const ParallelView& view_;
-  std::vector<float> near_;
-  std::vector<std::uint32_t> nearest_, last_;
+  std::vector<float> near_, far_;
+  std::vector<std::uint32_t> nearest_, farthest_, last_;
   std::vector<SeenQuad> seen_;
 };
 
@@ -181,6 +190,16 @@ std::uint32_t first_of_pair(std::uint32_t side, std::uint32_t i, std::uint32_t j
   return j * side + i;
 }
 
+/// The vertex from which the other end of the rays looks.
+std::uint32_t opposite(std::uint32_t side, std::uint32_t vertex) {
+  const int n = static_cast<int>(side) - 1;
+  const int x = 2 * static_cast<int>(vertex % side) - n, y = 2 * static_cast<int>(vertex / side) - n;
+  const auto across = [n](int sign, int other) {
+    return static_cast<std::uint32_t>((n + (sign < 0 ? 1 : -1) * (n - std::abs(other))) / 2);
+  };
+  return first_of_pair(side, across(x, y), across(y, x));
+}
+
 /// Side of a picture in which all but few cells have enough pixels, when they have `own` in one of kFirstPixels.
 int enough_for_most(std::vector<std::uint32_t> own) {
   if (own.empty()) return kFirstPixels;
@@ -207,11 +226,11 @@ float nearest_of(const CellPiece& piece, const ParallelView& view) {
   return view.nearness(piece.middle) + glm::dot(piece.half, glm::abs(view.towards()));
 }
 
-void fill_direction(PreparedPlant& plant, std::uint32_t vertex, const CellPixels& count) {
+void fill_direction(PreparedPlant& plant, std::uint32_t vertex, std::span<const std::uint32_t> seen,
+                    std::span<const std::uint32_t> own) {
   const std::uint32_t all = plant.visibility.side * plant.visibility.side;
   for (std::size_t c = 0; c < plant.cells.size(); ++c)
-    plant.visibility.share[c * all + vertex] =
-        seen_share(count.seen[c], count.own[c], plant.cells[c].quads.size() == 0);
+    plant.visibility.share[c * all + vertex] = seen_share(seen[c], own[c], plant.cells[c].quads.size() == 0);
 }
 
 /// `each`: calls a void(std::uint32_t) with [0, n), in any order, by any thread.
@@ -225,14 +244,17 @@ void bake(PreparedPlant& plant, const VisibilityOptions& options, const CountPix
   plant.visibility.share.assign(plant.cells.size() * all, 0);
   std::vector<std::uint32_t> firsts;
   for (std::uint32_t vertex = 0; vertex < all; ++vertex)
-    if (first_of_pair(side, vertex % side, vertex / side) == vertex) firsts.push_back(vertex);
+    if (first_of_pair(side, vertex % side, vertex / side) == vertex && vertex < opposite(side, vertex))
+      firsts.push_back(vertex);
   const int pixels = options.pixels > 0 ? options.pixels : picture_size(plant, count);
   std::mutex telling;
   std::size_t done = 0;
   each(firsts.size(), [&](std::size_t i) {
     const Vec3d to_eye = grid_direction(side, firsts[i] % side, firsts[i] / side);
     const ParallelView view = view_of(plant, to_eye, pixels);
-    fill_direction(plant, firsts[i], options.pixels > 0 ? count(view, {}) : enough_pixels(plant, view, count));
+    const CellPixels pixels_of = options.pixels > 0 ? count(view, {}) : enough_pixels(plant, view, count);
+    fill_direction(plant, firsts[i], pixels_of.seen, pixels_of.own);
+    fill_direction(plant, opposite(side, firsts[i]), pixels_of.seen_from_behind, pixels_of.own);
     const std::scoped_lock lock(telling);
     tell(options.progress, ++done, firsts.size());
   });
@@ -257,11 +279,13 @@ CellCounter::CellCounter(const PreparedPlant& plant)
 CellPixels CellCounter::operator()(const ParallelView& view, std::optional<std::uint32_t> only) const {
   CellPixels count;
   count.own.assign(plant_.cells.size(), 0);
-  count.seen = count.own;
-  if (only)
-    count_one(view, *only, count);
-  else
+  count.seen = count.seen_from_behind = count.own;
+  if (!only) {
     count_all(view, count);
+  } else {
+    std::tie(count.own[*only], count.seen[*only]) = count_one(view, *only);
+    count.seen_from_behind[*only] = count_one(view.turned(), *only).second;
+  }
   return count;
 }
 
@@ -270,13 +294,29 @@ std::span<const PlantQuad> CellCounter::quads_of(const CellPiece& piece) const {
   return std::span(all).subspan(piece.quads.first, piece.quads.size());
 }
 
+/// From both ends by turns, so that what lies between them changes little.
+std::vector<const CellPiece*> ends_first(std::span<const CellPiece> pieces, const ParallelView& view) {
+  std::vector<const CellPiece*> sorted, out;
+  for (const CellPiece& piece : pieces) sorted.push_back(&piece);
+  std::stable_sort(sorted.begin(), sorted.end(), [&](const CellPiece* a, const CellPiece* b) {
+    return view.nearness(a->middle) > view.nearness(b->middle);
+  });
+  for (std::size_t low = 0, high = sorted.size(); low < high;) {
+    out.push_back(sorted[low++]);
+    if (low < high) out.push_back(sorted[--high]);
+  }
+  return out;
+}
+
 void CellCounter::count_all(const ParallelView& view, CellPixels& count) const {
   IdPicture picture(view);
-  for (const CellPiece& piece : pieces_) {
-    const std::uint32_t own = picture.draw(quads_of(piece), piece.cell, is_leaf(piece) ? holes_.get() : nullptr);
-    if (is_leaf(piece)) count.own[piece.cell] = own;
+  for (const CellPiece* piece : ends_first(pieces_, view)) {
+    const std::uint32_t id = is_leaf(*piece) ? piece->cell + 1 : 0;
+    const std::uint32_t own = picture.draw(quads_of(*piece), id, is_leaf(*piece) ? holes_.get() : nullptr);
+    if (is_leaf(*piece)) count.own[piece->cell] = own;
   }
-  count.seen = picture.histogram(count.own.size());
+  count.seen = picture.seen(count.own.size());
+  count.seen_from_behind = picture.seen_from_behind(count.own.size());
 }
 
 /// Those in the picture that may be nearer than `farthest`; the nearest first.
@@ -291,18 +331,19 @@ std::vector<const CellPiece*> CellCounter::in_front(const ParallelView& view, fl
   return pieces;
 }
 
-void CellCounter::count_one(const ParallelView& view, std::uint32_t cell, CellPixels& count) const {
+/// Its own pixels, and those seen.
+std::pair<std::uint32_t, std::uint32_t> CellCounter::count_one(const ParallelView& view, std::uint32_t cell) const {
   OneCellPicture picture(view);
   for (std::uint32_t q = plant_.cells[cell].quads.first; q < plant_.cells[cell].quads.last; ++q)
     picture.draw_own(plant_.leaves[q], *holes_);
   picture.end_own();
-  count.own[cell] = picture.pixels();
+  const std::uint32_t own = picture.pixels();
   for (const CellPiece* piece : in_front(view, picture.farthest())) {
     if (piece->cell == cell || picture.pixels() == 0) continue;
     for (const PlantQuad& quad : quads_of(*piece))
       picture.hide_behind(quad, is_leaf(*piece) ? holes_.get() : nullptr, is_leaf(*piece) && piece->cell > cell);
   }
-  count.seen[cell] = picture.pixels();
+  return {own, picture.pixels()};
 }
 
 int picture_size(const PreparedPlant& plant, const CountPixels& count) {
@@ -317,6 +358,7 @@ CellPixels enough_pixels(const PreparedPlant& plant, const ParallelView& view, c
     if (nearer.own[c] <= all.own[c]) continue;
     all.own[c] = nearer.own[c];
     all.seen[c] = nearer.seen[c];
+    all.seen_from_behind[c] = nearer.seen_from_behind[c];
   }
   return all;
 }

@@ -23,9 +23,10 @@ struct VisibilityOptions {
 inline constexpr std::uint32_t kEnoughPixels = 1000;
 
 /// Of each cell, seen by parallel rays: pixels that it would have alone, and those that it has among all cells and the
-/// finest bark. Leaves have the holes of their picture. Where two cells are equally near, the latter is seen.
+/// finest bark, from this end of the rays and from their other one. Leaves have the holes of their picture. Where two
+/// cells are equally near, the latter is seen.
 struct CellPixels {
-  std::vector<std::uint32_t> own, seen;
+  std::vector<std::uint32_t> own, seen, seen_from_behind;
 };
 /// With `only`, of that cell alone; 0 for the others.
 using CountPixels = std::function<CellPixels(const ParallelView&, std::optional<std::uint32_t> only)>;
@@ -43,7 +44,7 @@ class CellCounter {
   std::span<const PlantQuad> quads_of(const CellPiece& piece) const;
   std::vector<const CellPiece*> in_front(const ParallelView& view, float farthest) const;
   void count_all(const ParallelView& view, CellPixels& count) const;
-  void count_one(const ParallelView& view, std::uint32_t cell, CellPixels& count) const;
+  std::pair<std::uint32_t, std::uint32_t> count_one(const ParallelView& view, std::uint32_t cell) const;
 
   const PreparedPlant& plant_;
   std::vector<CellPiece> pieces_;

@@ -93,7 +93,7 @@ class Silhouettes {
 
   static void draw(const LeafPoint& point, float factor, const ParallelView& view, Hits& hits) {
     const Vec2 middle = view.pixel(point.position), half(0.5F * view.pixels_of(std::sqrt(point.area * factor)));
-    const auto pixel = [](float v) { return static_cast<int>(std::clamp(std::ceil(v - 0.5F), 0.0F, 1.0F * kPixels)); };
+    const auto pixel = [](float v) { return first_pixel(v, kPixels); };
     const Vec2 low = middle - half, high = middle + half;
     for (int y = pixel(low.y); y < pixel(high.y); ++y)
       std::fill(hits.begin() + y * kPixels + pixel(low.x), hits.begin() + y * kPixels + pixel(high.x), std::uint8_t{1});
@@ -106,11 +106,15 @@ class Silhouettes {
     for_each_quad_span(at, form_of(quad, uv), kPixels, [&](const PixelSpan& span, const QuadPart& part) {
       const Along u(span, uv.u, part), v(span, uv.v, part);
       std::uint8_t* hit = &hits[static_cast<std::size_t>(span.y * kPixels + span.first)];
-      for (int i = 0; i < span.last - span.first; ++i) {
-        if (all_hit(hit + i))
-          i += kBlock - 1;  // most are, where leaves lie deep
-        else if (hit[i] == 0 && (!leaf || holes_.opaque(u[i], v[i])))
-          hit[i] = 1;
+      const int size = span.last - span.first;
+      for (int i = 0; i < size; i += kLanes) {
+        if (i % kBlock == 0 && all_hit(hit + i)) {  // most are, where leaves lie deep
+          i += kBlock - kLanes;
+          continue;
+        }
+        const Lanes<std::int32_t> texels = holes_.texels(u.lanes(i), v.lanes(i));
+        for (int j = 0; j < std::min(size - i, kLanes); ++j)
+          if (hit[i + j] == 0 && (!leaf || holes_.opaque(texels[j]))) hit[i + j] = 1;
       }
     });
   }

@@ -34,6 +34,14 @@ class ParallelView {
     return out;
   }
 
+  /// The same rays seen from their other end: a picture that is mirrored left to right.
+  ParallelView turned() const {
+    ParallelView out = *this;
+    out.right_ = -right_;
+    out.towards_ = -towards_;
+    return out;
+  }
+
   int pixels() const { return pixels_; }
   const Vec3& centre() const { return centre_; }
   const Vec3& right() const { return right_; }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "foliage/parallel_view.h"
 
@@ -41,6 +42,13 @@ class EdgeBounds {
 
 enum class Form : std::uint8_t { triangle, parallelogram };
 
+/// Of a row of `most` pixels the first whose centre is not below `v`. Without std::ceil, which older processors call.
+inline int first_pixel(float v, float most) {
+  const float at = std::clamp(v - 0.5F, 0.0F, most);
+  const int whole = static_cast<int>(at);
+  return whole + (at > static_cast<float>(whole) ? 1 : 0);
+}
+
 /// Three corners in pixels, of a parallelogram the first, and those beside it. What is outside the picture is cut off.
 template <class Visit>  // void(const PixelSpan&)
 void for_each_span(const std::array<Vec2, 3>& t, int pixels, Visit&& visit, Form form = Form::triangle) {
@@ -48,16 +56,14 @@ void for_each_span(const std::array<Vec2, 3>& t, int pixels, Visit&& visit, Form
   const float area = pb.x * pc.y - pb.y * pc.x;
   if (std::abs(area) < 1e-9F) return;
   const float most = static_cast<float>(pixels);
-  const auto pixel = [&](float v) {  // the first whose centre is not below
-    const float at = std::clamp(v - 0.5F, 0.0F, most);
-    const int whole = static_cast<int>(at);
-    return whole + (at > static_cast<float>(whole) ? 1 : 0);
-  };
+  const auto pixel = [&](float v) { return first_pixel(v, most); };
   const Vec2 pd = form == Form::parallelogram ? pb + pc : pb;
-  const int bottom = pixel(pa.y + std::min({0.0F, pb.y, pc.y, pd.y})),
-            top = pixel(pa.y + std::max({0.0F, pb.y, pc.y, pd.y}));
+  const Vec2 low = glm::min(glm::min(Vec2(0), pb), glm::min(pc, pd)),
+             high = glm::max(glm::max(Vec2(0), pb), glm::max(pc, pd));
+  if (pixel(pa.x + low.x) == pixel(pa.x + high.x)) return;
+  const int bottom = pixel(pa.y + low.y), top = pixel(pa.y + high.y);
   const Vec2 v = Vec2(pc.y, -pc.x) / area, w = Vec2(-pb.y, pb.x) / area;  // weights of a place relative to corner 0
-  EdgeBounds bounds(std::min({0.0F, pb.x, pc.x, pd.x}), std::max({0.0F, pb.x, pc.x, pd.x}));
+  EdgeBounds bounds(low.x, high.x);
   bounds.add(0, v.x, v.y);
   bounds.add(0, w.x, w.y);
   if (form == Form::triangle) {
@@ -80,6 +86,25 @@ struct QuadPart {
   std::size_t b, c;
 };
 
+/// Values of pixels side by side; comparisons give -1 or 0 for each. Compilers do not make vectors of loops over so
+/// few.
+inline constexpr int kLanes = 4;
+template <class T>
+using Lanes [[gnu::vector_size(kLanes * sizeof(T))]] = T;
+
+template <class T>
+Lanes<T> lanes_at(const T* first) {
+  Lanes<T> lanes;
+  std::memcpy(&lanes, first, sizeof lanes);
+  return lanes;
+}
+
+inline bool none(const Lanes<std::int32_t>& lanes) {
+  std::array<std::uint64_t, 2> bits;
+  std::memcpy(&bits, &lanes, sizeof lanes);
+  return (bits[0] | bits[1]) == 0;
+}
+
 /// What is linear over a part of a quad, along a span of it: [i] at its pixel i.
 class Along {
  public:
@@ -89,7 +114,11 @@ class Along {
     step_ = b * span.dv + c * span.dw;
   }
   float operator[](int i) const { return value_ + step_ * static_cast<float>(i); }
-  float step() const { return step_; }
+  /// At pixels i to i + kLanes - 1.
+  Lanes<float> lanes(int i) const {
+    const Lanes<std::int32_t> pixels = i + Lanes<std::int32_t>{0, 1, 2, 3};
+    return value_ + step_ * __builtin_convertvector(pixels, Lanes<float>);
+  }
 
  private:
   float value_, step_;
@@ -103,12 +132,23 @@ class LeafHoles {
     if (opaque_.empty()) opaque_.push_back(1);
   }
   /// From -1 on.
-  bool opaque(float u, float v) const { return opaque_[static_cast<std::size_t>(texel(v) * size_ + texel(u))] != 0; }
+  bool opaque(float u, float v) const { return opaque(texel(v) * size_ + texel(u)); }
+
+  /// For opaque(); rows one after the other.
+  Lanes<std::int32_t> texels(const Lanes<float>& u, const Lanes<float>& v) const { return texel(v) * size_ + texel(u); }
+  bool opaque(int texel) const { return opaque_[static_cast<std::size_t>(texel)] != 0; }
 
  private:
   int texel(float at) const {
     const float up = at + 1, part = up - static_cast<float>(static_cast<int>(up));
     return std::min(static_cast<int>(part * static_cast<float>(size_)), size_ - 1);
+  }
+
+  Lanes<std::int32_t> texel(const Lanes<float>& at) const {
+    const auto whole = [](const Lanes<float>& lanes) { return __builtin_convertvector(lanes, Lanes<std::int32_t>); };
+    const Lanes<float> up = at + 1, part = up - __builtin_convertvector(whole(up), Lanes<float>);
+    const Lanes<std::int32_t> texels = whole(part * static_cast<float>(size_));
+    return texels < size_ ? texels : size_ - 1 + Lanes<std::int32_t>{};
   }
 
   int size_;

@@ -277,7 +277,7 @@ CellPixels CellCounterGl::count_by_queries(std::span<const CellPiece> own, std::
   glDepthMask(GL_FALSE);
   for (std::size_t i = 0; i < own.size(); ++i) among.count(i, [&] { draw(own.subspan(i, 1)); });
   glDepthMask(GL_TRUE);
-  CellPixels count{std::vector<std::uint32_t>(cells_), std::vector<std::uint32_t>(cells_)};
+  CellPixels count{std::vector<std::uint32_t>(cells_), std::vector<std::uint32_t>(cells_), {}};
   for (std::size_t i = 0; i < own.size(); ++i) {
     count.own[own[i].cell] = alone.result(i);
     count.seen[own[i].cell] = among.result(i);
@@ -286,6 +286,12 @@ CellPixels CellCounterGl::count_by_queries(std::span<const CellPiece> own, std::
 }
 
 CellPixels CellCounterGl::operator()(const ParallelView& view, std::optional<std::uint32_t> only) {
+  CellPixels count = count_from_front(view, only);
+  count.seen_from_behind = count_from_front(view.turned(), only).seen;
+  return count;
+}
+
+CellPixels CellCounterGl::count_from_front(const ParallelView& view, std::optional<std::uint32_t> only) {
   make_room(view.pixels());
   set_view(view);
   const std::vector<CellPiece> all = pieces_in(view);

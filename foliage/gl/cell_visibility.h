@@ -41,6 +41,7 @@ class CellCounterGl {
   void count_ids(const Picture& picture, int pixels, std::uint32_t first) const;
 
   void count_by_ids(std::span<const CellPiece> own, std::span<const CellPiece> all, const ParallelView& view);
+  CellPixels count_from_front(const ParallelView& view, std::optional<std::uint32_t> only);
   void count_apart(std::span<const CellPiece> cells, const ParallelView& view);
   CellPixels counted() const;
   CellPixels count_by_queries(std::span<const CellPiece> own, std::span<const CellPiece> all, const ParallelView& view);

@@ -104,11 +104,18 @@ struct ItemPair {
   Item a, b;
 };
 
+ItemPair pair_of(Item a, Item b) {
+  ItemPair pair;
+  pair.a = a;
+  pair.b = b;
+  return pair;
+}
+
 // Bark and lines.
 ItemPair branch_items(TreeRecord tree, uint record, Detail d) {
   uint plant = tree.plant, levels = plants[plant].bark_levels;
   Item bark = no_item(record, kBark), lines = no_item(record, kLines);
-  if (levels == 0u) return ItemPair(bark, lines);
+  if (levels == 0u) return pair_of(bark, lines);
   uint level = min(uint(d.bark), levels - 1u);
   uvec2 step = branch_step(plant, level, d.bark);
   bark.first = plants[plant].first_quad + plants[plant].bark[level].x;
@@ -119,7 +126,7 @@ ItemPair branch_items(TreeRecord tree, uint record, Detail d) {
   precise float shown = float(last - first) * d.lines;
   lines.first = plants[plant].first_line + first;
   lines.count = uint(shown);
-  return ItemPair(bark, lines);
+  return pair_of(bark, lines);
 }
 
 // The last points shrink away, over a part of the level that stays as wide: so each takes its time. Where details fade.
@@ -138,7 +145,7 @@ Item faded(Item item, float shown, float most, uint hash, Detail d) {
 ItemPair points_items(TreeRecord tree, uint record, Detail d) {
   uint plant = tree.plant, levels = plants[plant].point_levels;
   Item fine = no_item(record, kPoints), coarse = fine;
-  if (levels == 0u || d.to_points <= 0.0f) return ItemPair(fine, coarse);
+  if (levels == 0u || d.to_points <= 0.0f) return pair_of(fine, coarse);
   uint level = min(uint(d.point_level), levels - 1u), next = min(level + 1u, levels - 1u);
   uvec4 of_level = plants[plant].points[level], of_next = plants[plant].points[next];
   precise float x = d.point_level - float(level), of_coarse = x * float(of_next.y);
@@ -150,7 +157,7 @@ ItemPair points_items(TreeRecord tree, uint record, Detail d) {
   coarse.first = plants[plant].first_point + of_next.x;
   coarse = faded(coarse, coarse_shown, float(of_next.y), mixed(tree.hash + 3u), d);
   coarse.scale = coarse_gain;
-  return ItemPair(fine, coarse);
+  return pair_of(fine, coarse);
 }
 
 uint view_share(uint plant, uint cell, uint direction) {
