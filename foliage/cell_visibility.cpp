@@ -190,7 +190,7 @@ std::uint32_t first_of_pair(std::uint32_t side, std::uint32_t i, std::uint32_t j
   return j * side + i;
 }
 
-/// The vertex from which the other end of the rays looks.
+/// The vertex from which the other end of the rays looks; of a grid of an odd side: others have none.
 std::uint32_t opposite(std::uint32_t side, std::uint32_t vertex) {
   const int n = static_cast<int>(side) - 1;
   const int x = 2 * static_cast<int>(vertex % side) - n, y = 2 * static_cast<int>(vertex / side) - n;
@@ -242,21 +242,25 @@ void bake(PreparedPlant& plant, const VisibilityOptions& options, const CountPix
   const std::uint32_t side = options.side, all = side * side;
   plant.visibility.side = side;
   plant.visibility.share.assign(plant.cells.size() * all, 0);
+  const bool both_ends = side % 2 == 1;
   std::vector<std::uint32_t> firsts;
   for (std::uint32_t vertex = 0; vertex < all; ++vertex)
-    if (first_of_pair(side, vertex % side, vertex / side) == vertex && vertex < opposite(side, vertex))
+    if (first_of_pair(side, vertex % side, vertex / side) == vertex && (!both_ends || vertex < opposite(side, vertex)))
       firsts.push_back(vertex);
   const int pixels = options.pixels > 0 ? options.pixels : picture_size(plant, count);
   std::mutex telling;
   std::size_t done = 0;
+  const auto fill = [&](std::uint32_t vertex, const std::vector<std::uint32_t>& seen, const CellPixels& of) {
+    fill_direction(plant, vertex, seen, of.own);
+    const std::scoped_lock lock(telling);
+    tell(options.progress, ++done, (both_ends ? 2 : 1) * firsts.size());
+  };
   each(firsts.size(), [&](std::size_t i) {
     const Vec3d to_eye = grid_direction(side, firsts[i] % side, firsts[i] / side);
     const ParallelView view = view_of(plant, to_eye, pixels);
-    const CellPixels pixels_of = options.pixels > 0 ? count(view, {}) : enough_pixels(plant, view, count);
-    fill_direction(plant, firsts[i], pixels_of.seen, pixels_of.own);
-    fill_direction(plant, opposite(side, firsts[i]), pixels_of.seen_from_behind, pixels_of.own);
-    const std::scoped_lock lock(telling);
-    tell(options.progress, ++done, firsts.size());
+    const CellPixels counted = options.pixels > 0 ? count(view, {}) : enough_pixels(plant, view, count);
+    fill(firsts[i], counted.seen, counted);
+    if (both_ends) fill(opposite(side, firsts[i]), counted.seen_from_behind, counted);
   });
   for (std::size_t c = 0; c < plant.cells.size(); ++c)
     for (std::uint32_t vertex = 0; vertex < all; ++vertex)

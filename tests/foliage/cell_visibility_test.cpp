@@ -160,6 +160,25 @@ TEST_CASE("both vertices of a pair see the same") {
   CHECK_THROWS_AS(bake_visibility(plant, {.side = 9, .pixels = -1}), std::invalid_argument);
 }
 
+TEST_CASE("each direction has what an eye there sees") {
+  constexpr int kPixels = 200;
+  PreparedPlant plant = prepare(grow_plant(builtin_species("shrub"), 3), {.quads_per_cell = 100, .visibility_side = 0});
+  REQUIRE(plant.cells.size() > 3);
+  const CellCounter counter(plant);
+  for (const std::uint32_t side : {2U, 4U, 5U}) {
+    bake_visibility(plant, {.side = side, .pixels = kPixels});
+    for (std::uint32_t d = 0; d < side * side; ++d) {
+      const CellPixels count = counter(view_of(plant, grid_direction(side, d % side, d / side), kPixels));
+      for (std::uint32_t c = 0; c < plant.cells.size(); ++c) {
+        const double expected = 255.0 * count.seen[c] / std::max(count.own[c], 1U);
+        CAPTURE(side, d, c, count.own[c]);
+        // A picture from behind rounds some pixels' centres to the other side of an edge.
+        CHECK(std::abs(plant.visibility.share[c * side * side + d] - expected) <= 3);
+      }
+    }
+  }
+}
+
 TEST_CASE("a cell of a few pixels is looked at nearer") {
   PreparedPlant plant;
   add_cell(plant, {square(0, 10)});
