@@ -67,18 +67,15 @@ std::size_t nearness(const TreeSite& site, float distance2, float reach) {
 
 void sort_by_error(CostTable& costs, const PlantTable& table, const TreesSeen& seen) {
   std::fill(costs.bins.begin(), costs.bins.end(), CostTable::Bin{});
-  const float at_1m = error2_at_1m(seen.error_at_1m);
   for (const Run& run : seen.runs) {
     for (std::uint32_t i = run.first; i < run.last; ++i) {
       const TreeSite& site = seen.sites[i];
-      const Vec4* rows = &seen.block_rows[std::size_t{site.block} * 3];
-      const Vec4 middle(site.position + Vec3(0, 0, table.plants[site.plant].middle * site.height), 1);
-      const Vec3 p(glm::dot(rows[0], middle), glm::dot(rows[1], middle), glm::dot(rows[2], middle));
-      const auto error2 = static_cast<double>(glm::dot(p, p) * site.inv_scale2 * at_1m);
+      const TreeError error = error_of_tree(table, seen, i);
+      const auto error2 = static_cast<double>(error.error2);
       CostTable::Bin& bin = costs.bins[site.plant * glsl::kDetailSteps + row_at(error2)];
       bin.trees += 1;
       bin.error2 += error2;
-      bin.by_nearness[nearness(site, glm::dot(p, p), costs.lists.plants[site.plant].reach)] += 1;
+      bin.by_nearness[nearness(site, error.distance2, costs.lists.plants[site.plant].reach)] += 1;
     }
   }
 }

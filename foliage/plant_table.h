@@ -24,7 +24,7 @@ using glsl::Item;
 using glsl::PlantHead;
 using glsl::TreeRecord;
 using glsl::TreeSite;
-static_assert(sizeof(TreeSite) == 48 && sizeof(Detail) == 48 && sizeof(PlantHead) == 400 && sizeof(CellHead) == 32 &&
+static_assert(sizeof(TreeSite) == 80 && sizeof(Detail) == 48 && sizeof(PlantHead) == 400 && sizeof(CellHead) == 32 &&
               sizeof(TreeRecord) == 64 && sizeof(Item) == 32);
 
 /// All plants of a scene as the buffers have them: heads, cells, branch steps, visibility; and how much each shows, a

@@ -25,7 +25,7 @@ struct Twin {
   std::span<const Detail> details;
   std::span<const glm::uvec2> steps;
   std::span<const uint> views;
-  float error2_at_1m;
+  float error2_at_1m, heed_neighbours;
 #define precise
 #include "foliage/shaders/hash.glsl"
 #include "foliage/shaders/octahedral.glsl"
@@ -39,8 +39,15 @@ struct Twin {
 namespace {
 
 glsl::Twin twin_of(const PlantTable& table, const TreesSeen& seen) {
-  return {seen.sites,    seen.block_rows, table.plants, table.cells,
-          table.details, table.steps,     table.views,  error2_at_1m(seen.error_at_1m)};
+  return {seen.sites,
+          seen.block_rows,
+          table.plants,
+          table.cells,
+          table.details,
+          table.steps,
+          table.views,
+          error2_at_1m(seen.error_at_1m),
+          seen.heed_neighbours ? 1.0F : 0.0F};
 }
 
 }  // namespace
@@ -63,6 +70,12 @@ TreeSite make_site(const PreparedPlant& plant, std::uint32_t index, float height
 
 float error2_at_1m(double error_at_1m) { return static_cast<float>(error_at_1m * error_at_1m); }
 
+TreeError error_of_tree(const PlantTable& table, const TreesSeen& seen, std::uint32_t site) {
+  glsl::Twin twin = twin_of(table, seen);
+  const TreeRecord tree = twin.place_tree(site);
+  return {twin.tree_error2(tree), twin.squared(twin.middle_of(tree))};
+}
+
 Detail detail_at(const PlantTable& table, std::uint32_t plant, float error2) {
   return twin_of(table, {}).detail_at(plant, error2);
 }
@@ -75,13 +88,13 @@ void select(const PlantTable& table, const TreesSeen& seen, Selection& selection
     for (std::uint32_t i = run.first; i < run.last; ++i) selection.trees.push_back(twin.place_tree(i));
   for (std::uint32_t record = 0; record < selection.trees.size(); ++record) {
     const TreeRecord& tree = selection.trees[record];
-    const Detail d = twin.detail_at(tree.plant, tree.error2);
+    const Detail d = twin.detail_at(tree.plant, twin.tree_error2(tree));
     const auto branches = twin.branch_items(tree, record, d), points = twin.points_items(tree, record, d);
     for (const Item& item : {branches.a, branches.b, points.a, points.b}) selection.items.push_back(item);
   }
   for (std::uint32_t record = 0; record < selection.trees.size(); ++record) {
     const TreeRecord& tree = selection.trees[record];
-    const std::uint32_t cells = twin.cells_of(tree, twin.detail_at(tree.plant, tree.error2));
+    const std::uint32_t cells = twin.cells_of(tree, twin.detail_at(tree.plant, twin.tree_error2(tree)));
     for (std::uint32_t cell = 0; cell < cells; ++cell) selection.items.push_back(twin.cell_item(tree, record, cell));
   }
 }

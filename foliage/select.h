@@ -28,7 +28,8 @@ struct TreesSeen {
   std::span<const TreeSite> sites;
   std::span<const Vec4> block_rows;  ///< three a block, relative to the eye; those of visible blocks count
   std::span<const Run> runs;         ///< of sites
-  double error_at_1m = 0.001;  ///< metres that may be wrong a metre away: error in pixels / focal length in pixels
+  double error_at_1m = 0.001;   ///< metres that may be wrong a metre away: error in pixels / focal length in pixels
+  bool heed_neighbours = true;  ///< more may be wrong of what they hide: foliage/neighbours.h
 };
 void select(const PlantTable& table, const TreesSeen& seen, Selection& selection);
 
@@ -37,6 +38,12 @@ Detail detail_at(const PlantTable& table, std::uint32_t plant, float error2);
 
 /// As the shader has it.
 float error2_at_1m(double error_at_1m);
+
+/// Squares of what may be wrong of a tree, and of how far away it is.
+struct TreeError {
+  float error2, distance2;
+};
+TreeError error_of_tree(const PlantTable& table, const TreesSeen& seen, std::uint32_t site);
 
 /// Primitives: bark and leaf quads, lines, points.
 struct Shown {

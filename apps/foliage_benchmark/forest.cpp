@@ -5,8 +5,16 @@
 
 #include "culling/hash.h"
 #include "culling/overlap.h"
+#include "foliage/neighbours.h"
 
 namespace manzana::foliage_benchmark {
+
+double closed_spacing(std::span<const foliage::PreparedPlant> plants) {
+  double area = 0;
+  for (const foliage::PreparedPlant& plant : plants)
+    area += std::numbers::pi * static_cast<double>(plant.crown_radius_m * plant.crown_radius_m);
+  return std::sqrt(area / static_cast<double>(plants.size()));
+}
 
 std::vector<foliage::TreeSite> make_forest(std::span<const foliage::PreparedPlant> plants, std::uint32_t trees,
                                            double spacing_m, std::uint64_t seed) {
@@ -26,6 +34,7 @@ std::vector<foliage::TreeSite> make_forest(std::span<const foliage::PreparedPlan
         static_cast<float>(spacing_m * (std::floor(static_cast<double>(i) / side) - side / 2.0 + 0.8 * next())), 0};
     sites.push_back(site);
   }
+  see_neighbours(sites, plants, rows_seen_from(Vec3d(0)));
   return sites;
 }
 

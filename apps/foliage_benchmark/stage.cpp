@@ -184,6 +184,7 @@ void Stage::begin(std::span<const foliage::Run> runs, const Shot& shot, const Ho
   in_view_.buffer = trees_.name();
   in_view_.trees = static_cast<std::uint32_t>(trees.size());
   in_view_.error_at_1m = how.error_px / shot.focal_px;
+  in_view_.heed_neighbours = how.heed_neighbours;
   glNamedBufferSubData(trees_.name(), 0, static_cast<GLsizeiptr>(trees.size() * sizeof trees[0]), trees.data());
   begin(shot);
 }

@@ -42,6 +42,7 @@ Shot moved(const Shot& shot, double right_px);
 struct HowDrawn {
   double error_px = 1;
   Sampling sampling = Sampling::fine;
+  bool heed_neighbours = true;
 };
 
 /// Triangles and points.

@@ -114,6 +114,7 @@ void start(Extractor& e, const PlantStore& store, const TreesInView& view) {
   assert(view.trees <= e.most_trees);
   Totals totals{};
   totals.error2_at_1m = error2_at_1m(view.error_at_1m);
+  totals.heed_neighbours = view.heed_neighbours ? 1 : 0;
   totals.all_trees = view.trees;
   totals.capacity = e.capacity;
   glNamedBufferSubData(e.totals.name(), 0, sizeof totals, &totals);

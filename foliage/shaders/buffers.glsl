@@ -24,3 +24,4 @@ uint groups_of(uint count, uint size) { return (count + size - 1u) / size; }
 uint first_cell_item() { return totals.all_trees * kFixedItems + totals.cells_before; }
 
 #define error2_at_1m totals.error2_at_1m
+#define heed_neighbours totals.heed_neighbours

@@ -17,10 +17,10 @@ struct Capacity {
 // What passes are told, and what they tell. Trees are extracted all at once, or node after node.
 struct Totals {
   uint trees, first_tree;  // of the node at hand
-  float error2_at_1m;
-  uint done;                          // work groups of the pass at hand
+  float error2_at_1m, heed_neighbours;
   uint cells, cells_before;           // of the node; of those before it
-  uint all_trees, spare1;             // of all nodes
+  uint all_trees;                     // of all nodes
+  uint done;                          // work groups of the pass at hand
   uvec4 groups;                       // of quads, lines, points that are wanted so far, with this node
   uvec4 groups_before;                // where the node's begin: bark, lines, points, leaves
   uvec4 per_cell, per_block, per_row;  // work groups for choose, the scan of cells, expand

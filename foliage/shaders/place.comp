@@ -10,7 +10,7 @@ void main() {
   if (i >= totals.trees) return;
   TreeRecord tree = place_tree(sites_in_view[index]);
   trees[index] = tree;
-  Detail d = detail_at(tree.plant, tree.error2);
+  Detail d = detail_at(tree.plant, tree_error2(tree));
   ItemPair branches = branch_items(tree, index, d), points = points_items(tree, index, d);
   items[item] = branches.a;
   items[item + 1u] = branches.b;

@@ -3,6 +3,7 @@
 // correctly, in an order that `precise` fixes: no division, no square root, no library function.
 //   sites, block_rows, plants, cells, steps, details, views: arrays
 //   error2_at_1m: the square of what may be wrong a metre away, in metres
+//   heed_neighbours: 1: more may be wrong of what neighbours hide; 0: not
 
 vec3 placed(vec4 x, vec4 y, vec4 z, vec3 p) {
   precise vec3 q;
@@ -27,6 +28,54 @@ vec4 scaled_row(vec4 row, TreeSite site, float foot) {
   return r;
 }
 
+// Azimuths, in 256ths of the way from one to the next: none of them needs an angle.
+uint azimuth_of(float x, float y, float both) {
+  const uint kWhole = 256u * kLeewayAzimuths, kHalf = kWhole / 2u;
+  uint b = uint(rounded_share(abs(y), both, int(kHalf / 2u)));
+  uint around = x < 0.0f ? (y < 0.0f ? kHalf + b : kHalf - b) : (y < 0.0f ? kWhole - b : b);
+  return around & (kWhole - 1u);
+}
+
+// Of a word, f / 256 of the way from a byte to the next; the last is followed by none.
+uint leeway_between(uint word, uint height, uint f) {
+  uint at = word >> (8u * height);
+  return (at & 255u) * (256u - f) + ((at >> 8u) & 255u) * f;
+}
+
+// By how much the error of a tree may grow, seen from an eye so far from its middle, in its block's frame.
+float leeway_of(uint index, vec3 eye) {
+  float x = flushed(eye.x), y = flushed(eye.y), z = flushed(max(eye.z, 0.0f));
+  precise float both = abs(x) + abs(y), up = kLeewaySteepness * z;
+  precise float all = both + up;
+  if (!(both > 0.0f) || !(all < 1.2676506002282294e30f)) return 0.0f;
+  uint azimuth = azimuth_of(x, y, both), height = min(uint(rounded_share(up, all, 1024)), 1023u);
+  uint a = azimuth >> 8u, b = (a + 1u) & (kLeewayAzimuths - 1u), f = height & 255u, g = azimuth & 255u;
+  uint sum = leeway_between(sites[index].leeway[a], height >> 8u, f) * (256u - g) +
+             leeway_between(sites[index].leeway[b], height >> 8u, f) * g;
+  precise float far = min(both * 0.005f, 1.0f);  // 1 / kLeewayReach
+  precise float more = float(sum) * 1.1967677696078431e-7f * far * heed_neighbours;  // kMostLeeway / (255 * 65536)
+  return more;
+}
+
+vec3 eye_from(vec4 x, vec4 y, vec4 z, vec3 middle) {
+  precise vec3 eye;
+  eye.x = -(x.x * middle.x + y.x * middle.y + z.x * middle.z);
+  eye.y = -(x.y * middle.x + y.y * middle.y + z.y * middle.z);
+  eye.z = -(x.z * middle.x + y.z * middle.y + z.z * middle.z);
+  return eye;
+}
+
+vec3 middle_of(TreeRecord tree) {
+  return placed(tree.row_x, tree.row_y, tree.row_z, vec3(0.0f, 0.0f, plants[tree.plant].middle));
+}
+
+// What may be wrong of it so many squared metres away, and at its middle.
+float error2_from(TreeRecord tree, float r2) {
+  precise float error2 = r2 * tree.error2_from_1m;
+  return error2;
+}
+float tree_error2(TreeRecord tree) { return error2_from(tree, squared(middle_of(tree))); }
+
 TreeRecord place_tree(uint index) {
   TreeSite site = sites[index];
   vec4 x = block_rows[site.block * 3u], y = block_rows[site.block * 3u + 1u], z = block_rows[site.block * 3u + 2u];
@@ -38,9 +87,9 @@ TreeRecord place_tree(uint index) {
   tree.site = index;
   tree.plant = site.plant;
   tree.hash = site.hash;
-  vec3 middle = placed(tree.row_x, tree.row_y, tree.row_z, vec3(0.0f, 0.0f, plants[site.plant].middle));
-  precise float error2 = squared(middle) * site.inv_scale2 * error2_at_1m;
-  tree.error2 = error2;
+  precise float times = 1.0f + leeway_of(index, eye_from(x, y, z, middle_of(tree)));
+  precise float error2 = site.inv_scale2 * error2_at_1m * (times * times);
+  tree.error2_from_1m = error2;
   return tree;
 }
 
@@ -170,7 +219,7 @@ float visible_share(TreeRecord tree, uint index, float hidden) {
   uint plant = tree.plant, side = plants[plant].view_side;
   if (side == 0u || hidden <= 0.0f) return 1.0f;
   TreeSite site = sites[tree.site];
-  vec3 middle = placed(tree.row_x, tree.row_y, tree.row_z, vec3(0.0f, 0.0f, plants[plant].middle));
+  vec3 middle = middle_of(tree);
   precise float r2 = squared(middle) * site.inv_scale2;
   precise float outside = (r2 - plants[plant].near2) * plants[plant].per_near2;
   if (outside <= 0.0f) return 1.0f;
@@ -191,8 +240,7 @@ Item cell_item(TreeRecord tree, uint record, uint index) {
   CellHead cell = cells[plants[tree.plant].first_cell + index];
   Item item = no_item(record, kLeaves);
   float r2 = squared(placed(tree.row_x, tree.row_y, tree.row_z, cell.centre));
-  precise float error2 = r2 * sites[tree.site].inv_scale2 * error2_at_1m;
-  Detail at_tree = detail_at(tree.plant, tree.error2), d = detail_at(tree.plant, error2);
+  Detail at_tree = detail_at(tree.plant, tree_error2(tree)), d = detail_at(tree.plant, error2_from(tree, r2));
   // Where points take over, quads shrink away too.
   precise float going = min(4.0f * at_tree.to_points, 1.0f) * kLeafFade;
   precise float more = d.fade < 0.0f ? 0.0f : max(going - d.fade, 0.0f);

@@ -1,6 +1,12 @@
 // What selection reads and writes, as std430 lays it out; compiled as C++ too (foliage/select.h). Metres; a plant's own
 // frame has its foot at the origin and z up.
 
+// Of leeway: a word for each azimuth, whose bytes are of sight that is level, then ever steeper; from straight above
+// there is none. Bytes are shares of the most.
+const uint kLeewayAzimuths = 8u;
+const float kLeewaySteepness = 4.0f, kMostLeeway = 2.0f;
+const float kLeewayReach = 200.0f;  // metres, of neighbours; an eye that is nearer sees past some of them
+
 // Where a copy of a plant stands.
 struct TreeSite {
   vec3 position;     // of its foot, in its block's frame
@@ -11,6 +17,7 @@ struct TreeSite {
   uint plant, block;
   uint hash;  // what is random about it; the lowest byte is its tint
   uint spare;
+  uint leeway[kLeewayAzimuths];  // by how much more may be wrong, seen past its neighbours: foliage/neighbours.h
 };
 
 // How much is shown where so much may be wrong: a row of a plant's detail table.
@@ -58,7 +65,7 @@ struct CellHead {
 struct TreeRecord {
   vec4 row_x, row_y, row_z;
   uint site, plant, hash;
-  float error2;  // what may be wrong of it: squared metres of its natural size
+  float error2_from_1m;  // what may be wrong of it a metre away: squared metres of its natural size
 };
 
 // What is drawn of one thing: `count` primitives from `first` on.

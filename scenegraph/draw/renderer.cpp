@@ -72,7 +72,7 @@ struct Renderer::State {
         buildings(city->buildings, uploads),
         surfaces(city->surfaces, uploads),
         paints(make_paint_programs()),
-        trees(scene.trees, plants, {}),
+        trees(scene, plants, {}),
         cars(scene.traffic.cars()),
         car_shadows(make_shadow("shadow_car", shaders::shadow_car_vert)) {}
 

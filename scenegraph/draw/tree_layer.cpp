@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "foliage/neighbours.h"
 #include "manzana_draw_shaders.h"
 #include "scenegraph/draw/shadows.h"
 
@@ -17,11 +18,18 @@ std::vector<foliage::PreparedPlant> without_pictures(std::span<const foliage::Pr
   return all;
 }
 
+std::vector<Vec4> rows_from_origin(std::span<const BlockFrame> blocks) {
+  std::vector<Vec4> rows;
+  for (const BlockFrame& block : blocks)
+    for (const Vec4& row : relative_to(Vec3d(0), block)) rows.push_back(row);
+  return rows;
+}
+
 /// A site for each tree, in the same order.
-std::vector<foliage::TreeSite> sites_of(const TreeLayer& trees, std::span<const foliage::PreparedPlant> plants) {
+std::vector<foliage::TreeSite> sites_of(const Scene& scene, std::span<const foliage::PreparedPlant> plants) {
   std::vector<foliage::TreeSite> sites;
-  sites.reserve(trees.instances.size());
-  for (const TreeInstance& tree : trees.instances) {
+  sites.reserve(scene.trees.instances.size());
+  for (const TreeInstance& tree : scene.trees.instances) {
     if (tree.plant >= plants.size()) throw std::invalid_argument("a tree's plant is missing");
     foliage::TreeSite& site = sites.emplace_back(
         make_site(plants[tree.plant], tree.plant, tree.height_m, tree.crown_radius_m, tree.yaw, sites.size()));
@@ -29,8 +37,12 @@ std::vector<foliage::TreeSite> sites_of(const TreeLayer& trees, std::span<const 
     site.block = tree.block;
     site.hash = (site.hash & ~255U) | tree.tint;
   }
+  see_neighbours(sites, plants, rows_from_origin(scene.blocks));
   return sites;
 }
+
+/// The sources' laws know no neighbours.
+bool heeds_neighbours(foliage::Law law) { return law == foliage::Law::ours; }
 
 TreeLayerGpu::Tables make_tables(TreeLayerGpu& layer, foliage::Law law) {
   set_details(layer.store, make_details(layer.plants, law));
@@ -47,13 +59,16 @@ void use(TreeLayerGpu& layer, const TreeLayerGpu::Tables& tables) {
 void choose_detail(TreeLayerGpu& layer, std::span<const Vec4> rows, const TreeDetail& detail) {
   constexpr double kGreatestError = 1e6;  // metres a metre away
   if (layer.asked.law != detail.law) layer.asked = make_tables(layer, detail.law);
-  const foliage::TreesSeen seen{layer.sites, rows, layer.runs, detail.error_at_1m};
   const foliage::Budget budget{.vertices = detail.vertices, .room = foliage::room_of(layer.extractor.capacity)};
+  const auto error_with = [&](TreeLayerGpu::Tables& tables) {
+    const foliage::TreesSeen seen{layer.sites, rows, layer.runs, detail.error_at_1m, heeds_neighbours(tables.law)};
+    return error_for(tables.costs, layer.store.table, seen, budget);
+  };
   TreeLayerGpu::Tables* tables = &layer.asked;
-  layer.error_at_1m = error_for(tables->costs, layer.store.table, seen, budget);
+  layer.error_at_1m = error_with(*tables);
   if (!std::isfinite(layer.error_at_1m)) {
     tables = &layer.ours;
-    layer.error_at_1m = std::min(kGreatestError, error_for(tables->costs, layer.store.table, seen, budget));
+    layer.error_at_1m = std::min(kGreatestError, error_with(*tables));
   }
   use(layer, *tables);
 }
@@ -93,11 +108,11 @@ foliage::HostShaders plant_shaders() {
           .mosaics = {frame_layout_glsl, frame_glsl, light_glsl, plant_light_glsl, tree_mosaic_frag}};
 }
 
-TreeLayerGpu::TreeLayerGpu(const TreeLayer& trees, std::span<const foliage::PreparedPlant> prepared,
+TreeLayerGpu::TreeLayerGpu(const Scene& scene, std::span<const foliage::PreparedPlant> prepared,
                            const foliage::ExtractLimits& limits)
     : plants(without_pictures(prepared)),
       store(prepared),
-      sites(sites_of(trees, prepared)),
+      sites(sites_of(scene, prepared)),
       extractor(sites, limits),
       programs(plant_shaders()),
       shadows(make_shadow("shadow_tree", shaders::shadow_tree_vert)) {
@@ -128,6 +143,7 @@ void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const 
   choose_detail(layer, rows, detail);
   foliage::TreesInView view = write_rows(layer.runs, layer.sites.size(), stream);
   view.error_at_1m = layer.error_at_1m;
+  view.heed_neighbours = heeds_neighbours(layer.law);
   layer.trees_in_view = view.trees;
   if (view.trees == 0) return;
   if (detail.by_node)

@@ -13,7 +13,7 @@ foliage::HostShaders plant_shaders();
 
 struct TreeLayerGpu {
   /// `plants`: by TreeInstance::plant; those that no tree is may be empty. Throws std::invalid_argument for too few.
-  TreeLayerGpu(const TreeLayer& trees, std::span<const foliage::PreparedPlant> plants,
+  TreeLayerGpu(const Scene& scene, std::span<const foliage::PreparedPlant> plants,
                const foliage::ExtractLimits& limits);
 
   std::vector<foliage::PreparedPlant> plants;  ///< without pictures: what tables are made from

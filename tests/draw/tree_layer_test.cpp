@@ -62,7 +62,7 @@ constexpr double kAsked = 1.0 / 900;
 TEST_CASE("trees: all detail where there is room for it and whole trees of less where there is not") {
   Drawing drawing;
   const auto plants = grown_plants();
-  TreeLayerGpu roomy(drawing.scene.trees, plants, {}), narrow(drawing.scene.trees, plants, {.quads = 40'000});
+  TreeLayerGpu roomy(drawing.scene, plants, {}), narrow(drawing.scene, plants, {.quads = 40'000});
   const TreeDetail full{.law = foliage::Law::full, .error_at_1m = kAsked};
   const foliage::Shown all = drawing.extract_with(roomy, full);
   CHECK(all.missing == 0);
@@ -80,7 +80,7 @@ TEST_CASE("trees: all detail where there is room for it and whole trees of less 
 TEST_CASE("trees: the error rises until the lists have room and falls again when they do") {
   Drawing drawing;
   const auto plants = grown_plants();
-  TreeLayerGpu layer(drawing.scene.trees, plants, {.quads = 20'000, .lines = 20'000, .points = 20'000});
+  TreeLayerGpu layer(drawing.scene, plants, {.quads = 20'000, .lines = 20'000, .points = 20'000});
   CHECK(drawing.extract_with(layer, {.error_at_1m = 0.1 * kAsked}).missing == 0);
   CHECK(layer.error_at_1m > 0.1 * kAsked);
   CHECK(drawing.extract_with(layer, {.law = foliage::Law::full}).missing == 0);

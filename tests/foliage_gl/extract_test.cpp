@@ -56,6 +56,8 @@ Forest make_forest(std::uint32_t trees, std::uint64_t seed) {
     TreeSite site = make_site(plants()[kind], kind, height, radius, static_cast<float>(yaw), seed + i);
     site.position = {static_cast<float>(far * std::cos(yaw)), static_cast<float>(far * std::sin(3 * yaw)), 0};
     site.block = static_cast<std::uint32_t>(random.within(0, kBlocks));
+    for (std::uint32_t a = 0; a < glsl::kLeewayAzimuths; ++a)  // of whatever, likewise
+      site.leeway[a] = static_cast<std::uint32_t>(hash(seed + i, a));
     forest.sites.push_back(site);
   }
   for (std::uint32_t first = 0; first < trees;) {
