@@ -4,8 +4,11 @@
 
 namespace manzana::foliage_benchmark {
 
+/// Of a closed forest: the ground of a tree is as large as a crown.
+double closed_spacing(std::span<const foliage::PreparedPlant> plants);
+
 /// A square of trees, their species by turns, each turned and of its own size, about `spacing_m` apart; the middle is
-/// the origin.
+/// the origin. What they hide of each other is known.
 std::vector<foliage::TreeSite> make_forest(std::span<const foliage::PreparedPlant> plants, std::uint32_t trees,
                                            double spacing_m, std::uint64_t seed);
 

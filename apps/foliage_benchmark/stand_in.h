@@ -16,4 +16,8 @@ inline foliage::Plant grown_to(std::string_view species_name, double leaf_triang
   return grow_plant(species, 1);
 }
 
+/// A species whose cards, of many leaves each, are smaller and more, so that it has about so many triangles in all and
+/// its leaves the same area.
+foliage::Plant grown_dense(std::string_view species_name, double triangles);
+
 }  // namespace manzana::foliage_benchmark

@@ -19,6 +19,7 @@ namespace manzana::foliage_benchmark {
 struct TimeRow {
   std::string table = {}, plant = {}, way = {}, reference = {};
   std::uint64_t trees = 1;
+  std::optional<double> error_px = {};  ///< that was tolerated
   std::optional<std::uint64_t> primitives = {}, reference_primitives = {};
   std::optional<std::uint64_t> bark = {}, leaves = {}, lines = {}, points = {};  ///< quads, quads, ribbons, points
   std::optional<double> ms = {}, ms_99 = {}, reference_ms = {};

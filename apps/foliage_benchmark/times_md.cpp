@@ -22,6 +22,7 @@ std::vector<std::string> cells_of(const TimeRow& row) {
           row.way,
           row.reference,
           grouped(static_cast<double>(row.trees)),
+          value_of(row.error_px),
           count_of(row.primitives),
           count_of(row.reference_primitives),
           count_of(row.bark),
@@ -53,9 +54,10 @@ void leave_out_empty(Cells& cells) {
 }  // namespace
 
 std::string rows_md(std::span<const TimeRow> rows, std::string_view table) {
-  Cells cells{{"plant", "way", "reference", "trees", "primitives", "reference's", "bark", "leaves", "lines", "points",
-               "covered px", "ms", "ms, 99th percentile", "reference ms", "times as fast", "cover", "SSIM", "GMSD",
-               "source"}};
+  Cells cells{
+      {"plant",        "way",           "reference", "trees",  "error px",   "primitives", "reference's",
+       "bark",         "leaves",        "lines",     "points", "covered px", "ms",         "ms, 99th percentile",
+       "reference ms", "times as fast", "cover",     "SSIM",   "GMSD",       "source"}};
   for (const TimeRow& row : rows)
     if (row.table == table) cells.push_back(cells_of(row));
   if (cells.size() == 1) return {};
