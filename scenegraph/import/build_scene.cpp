@@ -49,8 +49,8 @@ class Builder {
     if (progress_) progress_("building", done);
   }
 
-  // Streets, scattered trees, pieces of ground; then the blocks of all centres: buildings, trees, plants, pieces, in
-  // this order.
+  // Streets, scattered trees, pieces of ground; then the blocks of all centres: buildings, constructions, trees,
+  // plants, pieces, in this order.
   void plan() {
     tell(0);
     graph_ = build_street_graph(std::move(f_.streets), f_.issues);
@@ -75,19 +75,22 @@ class Builder {
     std::vector<Vec2d> result;
     result.reserve(first_piece() + pieces_.size());
     for (const BuildingFeature& building : f_.buildings) result.push_back(middle(building.footprint.outer));
+    for (const ConstructionFeature& work : f_.constructions) result.push_back(middle(work.points));
     for (const TreeFeature& tree : f_.trees) result.push_back(tree.position);
     for (const PlacedPlant& plant : f_.plants) result.emplace_back(plant.position);
     for (const SurfacePiece& piece : pieces_) result.push_back(piece.center);
     return result;
   }
-  std::size_t first_piece() const { return f_.buildings.size() + f_.trees.size() + f_.plants.size(); }
+  std::size_t first_tree() const { return f_.buildings.size() + f_.constructions.size(); }
+  std::size_t first_piece() const { return first_tree() + f_.trees.size() + f_.plants.size(); }
   // Of the bounding box: the centre that decides the block need not be the centroid.
-  static Vec2d middle(const std::vector<Vec2d>& ring) {
-    if (ring.empty()) return {0, 0};
-    Vec2d low = ring[0], high = ring[0];
-    for (const Vec2d& p : ring) {
-      low = glm::min(low, p);
-      high = glm::max(high, p);
+  template <class Points>
+  static Vec2d middle(const Points& points) {
+    if (points.empty()) return {0, 0};
+    Vec2d low(points[0]), high(points[0]);
+    for (const auto& p : points) {
+      low = glm::min(low, Vec2d(p));
+      high = glm::max(high, Vec2d(p));
     }
     return low + (high - low) / 2.0;
   }
@@ -101,12 +104,17 @@ class Builder {
 
   void make_meshes() {
     tell(0.8);
-    buildings_.resize(f_.buildings.size());
+    buildings_.resize(first_tree());
     std::vector<std::vector<Issue>> issues(buildings_.size());
     tbb::parallel_for(std::size_t{0}, buildings_.size(), [&](std::size_t i) {
       MeshObject& object = buildings_[i];
       object.block = plan_.of[i];
-      append_building(object.mesh, {f_.frame, frames_[object.block]}, f_.buildings[i], issues[i]);
+      const Site site{f_.frame, frames_[object.block]};
+      const std::size_t own = i - f_.buildings.size();
+      if (i < f_.buildings.size())
+        append_building(object.mesh, site, f_.buildings[i], issues[i]);
+      else
+        append_construction(object.mesh, site, f_.constructions[own], issues[i]);
       object.box = bounds(object.mesh, frames_[object.block]);
     });
     for (auto& list : issues) std::move(list.begin(), list.end(), std::back_inserter(f_.issues));
@@ -137,7 +145,7 @@ class Builder {
 
   void plant(const PlacedPlant& placed) {
     const std::size_t i = trees_.size();
-    const std::uint32_t block = plan_.of[f_.buildings.size() + i];
+    const std::uint32_t block = plan_.of[first_tree() + i];
     const Vec3d foot = ground_point(f_.frame, frames_[block], Vec2d(placed.position), placed.position.z);
     TreeObject& object = trees_.emplace_back();
     object.instance = {.position = foot,

@@ -3,31 +3,15 @@
 #include <cmath>
 #include <map>
 
-#include "scenegraph/import/meshes.h"
+#include "scenegraph/import/laying.h"
 #include "scenegraph/import/roof_mesh.h"
 
 namespace manzana {
 namespace {
 
-constexpr double kBay = 3.0;           // metres a window bay, more or less
-constexpr double kBlindWall = 1.6;     // walls shorter than this have no window
 constexpr double kLeastArea = 0.25;    // m2: what is smaller is not a building
 constexpr double kLeastHeight = 0.05;  // metres
 constexpr double kMostHeight = 2000;   // metres; taller than anything built
-
-/// A building's own frame: plan metres from `origin`, heights above ground; and the way from there to the block.
-struct Laying {
-  const Site& site;
-  Vec2d origin;
-  Mat3d normals;  // inverse transpose of d(position in the block) / d(plan, height)
-
-  Laying(const Site& s, const Vec2d& at) : site(s), origin(at) {
-    const Vec3d foot = place({0, 0, 0});
-    const Mat3d linear(place({1, 0, 0}) - foot, place({0, 1, 0}) - foot, {0, 0, 1});
-    normals = glm::transpose(glm::inverse(linear));
-  }
-  Vec3d place(const Vec3d& p) const { return ground_point(site.frame, site.block, origin + Vec2d(p), p.z); }
-};
 
 /// A face to be laid: all corners in one plane.
 struct Paint {

@@ -1,6 +1,7 @@
 #pragma once
 /// What a city is before it becomes a scene: features with a shape in plan and a few attributes, every attribute filled
-/// in. Readers (OpenStreetMap, the built-in town) make these; build_scene makes a scene of them.
+/// in. Readers (OpenStreetMap, CityJSON, lists of trees, the built-in town) make these; build_scene makes a scene of
+/// them.
 /// Plan positions are (x, y) in the frame L, metres. Rings are open (the last point is not the first again), in either
 /// direction. Nothing here is trusted: rings may cross themselves, streets may have one point.
 #include <cstdint>
@@ -34,6 +35,23 @@ struct BuildingFeature {
   int levels = 2;          ///< storeys between min_height and the eaves, at least 1
   RoofShape roof = RoofShape::flat;
   std::uint32_t wall_rgb = 0xd8cfc0, roof_rgb = 0x8a8580;  ///< sRGB, 0xRRGGBB
+};
+
+/// A building or other work that brings surfaces of its own: plane polygons in space, with holes. Points are (x, y in
+/// plan, height above ground). Flat: a face is a run of rings, a ring a run of corners, a part a run of faces (one
+/// solid or one set of surfaces). Outer rings come first and are counter-clockwise seen from outside, so it is hoped.
+struct ConstructionFeature {
+  struct Face {
+    std::uint32_t last_ring = 0;  ///< begins where the face before it ends
+    std::uint32_t rgb = 0xb4b2ab;
+    Material kind = Material::concrete;  ///< wall, roof or concrete
+  };
+  std::string where;
+  std::vector<Vec3d> points;
+  std::vector<std::uint32_t> corners;    ///< of points
+  std::vector<std::uint32_t> ring_last;  ///< of corners; a ring begins where the one before it ends
+  std::vector<Face> faces;
+  std::vector<std::uint32_t> part_last;  ///< of faces; likewise
 };
 
 enum class StreetClass : std::uint8_t { motorway, primary, secondary, residential, service, pedestrian, path, track };
@@ -79,6 +97,7 @@ struct AreaFeature {
 struct CityFeatures {
   LocalFrame frame;
   std::vector<BuildingFeature> buildings;
+  std::vector<ConstructionFeature> constructions;
   std::vector<StreetFeature> streets;
   std::vector<TreeFeature> trees;
   std::vector<PlacedPlant> plants;

@@ -4,6 +4,7 @@
 ///   for (const Issue& issue : city.issues) log(issue.where, issue.what);
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <string_view>
 
 #include "scenegraph/import/features.h"
@@ -15,8 +16,10 @@ namespace manzana {
 using Progress = std::function<void(std::string_view stage, double fraction)>;
 
 struct ImportOptions {
-  std::uint64_t seed = 1;  ///< of scattered trees, cars and the built-in town
-  int cars = -1;           ///< how many; -1: by the length of the streets, at most 20 000
+  std::uint64_t seed = 1;                                ///< of scattered trees, cars and the built-in town
+  int cars = -1;                                         ///< how many; -1: by the length of the streets, at most 20 000
+  double lod = std::numeric_limits<double>::infinity();  ///< of CityJSON: the finest that is wanted
+  std::string reference_system;                          ///< of files that name none: "EPSG:28992"; empty: none
 };
 
 /// What the report of an import says.
@@ -36,13 +39,24 @@ struct Imported {
 /// Throws std::runtime_error ("FILE: what, where") when the file cannot be read at all.
 CityFeatures read_osm(const std::filesystem::path& file, const Progress& progress);
 
+/// Throws as read_osm does.
+CityFeatures read_cityjson(const std::filesystem::path& file, const ImportOptions& options, const Progress& progress);
+
 /// The built-in town: made up, the same for a seed on every machine.
 CityFeatures make_town(std::uint64_t seed);
+
+/// `city` is "builtin:town" or a file: .osm, .osm.gz, .osm.bz2, .osm.pbf; .city.json, .jsonl, .json of CityJSON.
+/// Throws as read_osm does.
+CityFeatures read_city(const std::string& city, const ImportOptions& options, const Progress& progress);
+
+/// Several sources make one city, in the frame of the first. What lies farther than 300 km from there is left out, and
+/// its number listed.
+void merge(CityFeatures& into, CityFeatures more);
 
 /// Never fails for bad features: they are listed.
 Imported build_scene(CityFeatures features, const ImportOptions& options, const Progress& progress);
 
-/// `city` is "builtin:town" or a file: .osm, .osm.gz, .osm.bz2, .osm.pbf. Throws as read_osm does.
+/// read_city, then build_scene.
 Imported import_city(const std::string& city, const ImportOptions& options, const Progress& progress);
 
 }  // namespace manzana

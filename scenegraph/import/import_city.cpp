@@ -1,13 +1,18 @@
 #include <stdexcept>
 
+#include "scenegraph/import/cityjson.h"
 #include "scenegraph/import/import.h"
 
 namespace manzana {
 
-Imported import_city(const std::string& city, const ImportOptions& options, const Progress& progress) {
-  if (city == "builtin:town") return build_scene(make_town(options.seed), options, progress);
+CityFeatures read_city(const std::string& city, const ImportOptions& options, const Progress& progress) {
+  if (city == "builtin:town") return make_town(options.seed);
   if (city.starts_with("builtin:")) throw std::runtime_error(city + ": there is only builtin:town");
-  return build_scene(read_osm(city, progress), options, progress);
+  return is_cityjson(city) ? read_cityjson(city, options, progress) : read_osm(city, progress);
+}
+
+Imported import_city(const std::string& city, const ImportOptions& options, const Progress& progress) {
+  return build_scene(read_city(city, options, progress), options, progress);
 }
 
 }  // namespace manzana

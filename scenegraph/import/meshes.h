@@ -19,6 +19,10 @@ struct Site {
 /// GEOS (MakeValid) with an issue; roof shapes that the outline does not allow fall back to the nearest that it does.
 void append_building(CityMesh& mesh, const Site& site, const BuildingFeature& building, std::vector<Issue>& issues);
 
+/// The surfaces as they are. A part that is closed is turned outward where it is inside out; one that is not is seen
+/// from both sides. Upright walls of buildings that are about rectangular get window bays and storeys.
+void append_construction(CityMesh& mesh, const Site& site, const ConstructionFeature& work, std::vector<Issue>& issues);
+
 /// Half an edge's length at a time is not enough for long streets: pieces are at most this long, metres.
 inline constexpr double kSurfacePiece = 150;
 

@@ -11,32 +11,6 @@
 namespace manzana {
 namespace {
 
-// Genera, in lower case.
-constexpr std::array<std::string_view, 26> kConifers{
-    "abies",       "araucaria",  "calocedrus",  "cedrus",      "cephalotaxus", "chamaecyparis", "cryptomeria",
-    "cupressus",   "fitzroya",   "juniperus",   "larix",       "metasequoia",  "picea",         "pinus",
-    "platycladus", "podocarpus", "pseudolarix", "pseudotsuga", "sciadopitys",  "sequoia",       "sequoiadendron",
-    "taxodium",    "taxus",      "thuja",       "thujopsis",   "tsuga"};
-constexpr std::array<std::string_view, 20> kShrubs{
-    "amelanchier",  "berberis",  "buxus",     "cornus",    "corylus",  "cotoneaster", "forsythia",
-    "frangula",     "hydrangea", "lavandula", "ligustrum", "lonicera", "nerium",      "philadelphus",
-    "rhododendron", "ribes",     "rosa",      "spiraea",   "syringa",  "viburnum"};
-
-/// "Picea abies (L.)" -> "picea".
-std::string genus_in(std::string_view name) {
-  std::string genus(name.substr(0, name.find_first_of(" ;,_")));
-  for (char& c : genus) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  return genus;
-}
-
-std::optional<PlantKind> kind_of_name(const char* name) {
-  if (name == nullptr) return std::nullopt;
-  const std::string genus = genus_in(name);
-  if (std::ranges::find(kConifers, genus) != kConifers.end()) return PlantKind::conifer;
-  if (std::ranges::find(kShrubs, genus) != kShrubs.end()) return PlantKind::shrub;
-  return genus.empty() ? std::nullopt : std::optional(PlantKind::broadleaf);
-}
-
 /// Metres, from the girth of the trunk: about 60 trunk diameters for a slim tree, levelling off at 30 m.
 std::optional<double> height_by_girth(TagReader& tags) {
   auto girth = tags.length("circumference", {0.01, 2000});
@@ -103,7 +77,7 @@ PlantKind plant_kind(const osmium::TagList& tags) {
   if (is("natural", "shrub")) return PlantKind::shrub;
   if (is("leaf_type", "needleleaved")) return PlantKind::conifer;
   for (const char* key : {"genus", "species", "taxon"}) {
-    if (const auto kind = kind_of_name(tags[key])) return *kind;
+    if (const auto kind = kind_of_name(tags[key] == nullptr ? "" : tags[key])) return *kind;
   }
   if (tags.has_key("leaf_type")) return PlantKind::broadleaf;
   return is("leaf_cycle", "evergreen") ? PlantKind::conifer : PlantKind::broadleaf;

@@ -57,7 +57,38 @@ constexpr std::array<Genus, 21> kGenera{
      {"jubaea", palm},   {"cocos", palm},        {"butia", palm},        {"livistona", palm},  {"brahea", palm},
      {"roystonea", palm}}};
 
+// Genera, in lower case.
+constexpr std::array<std::string_view, 26> kConifers{
+    "abies",       "araucaria",  "calocedrus",  "cedrus",      "cephalotaxus", "chamaecyparis", "cryptomeria",
+    "cupressus",   "fitzroya",   "juniperus",   "larix",       "metasequoia",  "picea",         "pinus",
+    "platycladus", "podocarpus", "pseudolarix", "pseudotsuga", "sciadopitys",  "sequoia",       "sequoiadendron",
+    "taxodium",    "taxus",      "thuja",       "thujopsis",   "tsuga"};
+constexpr std::array<std::string_view, 20> kShrubs{
+    "amelanchier",  "berberis",  "buxus",     "cornus",    "corylus",  "cotoneaster", "forsythia",
+    "frangula",     "hydrangea", "lavandula", "ligustrum", "lonicera", "nerium",      "philadelphus",
+    "rhododendron", "ribes",     "rosa",      "spiraea",   "syringa",  "viburnum"};
+
 }  // namespace
+
+std::string genus_in(std::string_view name) {
+  std::string genus(name.substr(0, name.find_first_of(" ;,_")));
+  for (char& c : genus) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return genus;
+}
+
+std::optional<PlantKind> kind_of_name(std::string_view name) {
+  const std::string genus = genus_in(name);
+  if (std::ranges::find(kConifers, genus) != kConifers.end()) return PlantKind::conifer;
+  if (std::ranges::find(kShrubs, genus) != kShrubs.end()) return PlantKind::shrub;
+  return genus.empty() ? std::nullopt : std::optional(PlantKind::broadleaf);
+}
+
+std::optional<PlantSpecies> species_named(std::string_view name) {
+  const auto kind = kind_of_name(name);
+  if (!kind) return std::nullopt;
+  const PlantSpecies species = species_of_genus(genus_in(name)).value_or(plain_species(*kind));
+  return kind_of(species) == *kind ? species : plain_species(*kind);
+}
 
 PlantSpecies species_for(PlantKind kind, TreePlace place, std::uint64_t identity) {
   if (kind == PlantKind::shrub) return shrub;

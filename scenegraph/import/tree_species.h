@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "scenegraph/import/features.h"
@@ -15,6 +16,13 @@ enum class TreePlace : std::uint8_t { park, row, garden, wood };
 
 /// Equal identities in like places are equal species: give the trees of a street, or of a row, the same.
 PlantSpecies species_for(PlantKind kind, TreePlace place, std::uint64_t identity);
+
+/// "Picea abies (L.)" -> "picea".
+std::string genus_in(std::string_view name);
+/// Of a botanical name, by its genus: one that is in no list is broadleaf; an empty name is nothing.
+std::optional<PlantKind> kind_of_name(std::string_view name);
+/// The nearest of ours to a botanical name, and nothing for an empty one.
+std::optional<PlantSpecies> species_named(std::string_view name);
 
 /// Of a genus in lower case; of those that are not here, nothing.
 std::optional<PlantSpecies> species_of_genus(std::string_view genus);

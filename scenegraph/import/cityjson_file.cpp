@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <stdexcept>
+
+#include "files/whole_file.h"
+#include "scenegraph/import/cityjson.h"
+#include "scenegraph/import/cityjson_objects.h"
+
+namespace manzana {
+namespace {
+
+using cityjson::Json;
+
+constexpr std::uint64_t kMostBytes = 256ULL << 20;  // of one document: some 15 times that in memory
+constexpr std::uint64_t kMostSequence = 2ULL << 30;
+constexpr int kDeepest = 64;  // brackets; the format itself has about 12
+
+int depth_of(std::string_view text) {
+  int depth = 0, deepest = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted && c == '\\')
+      ++i;
+    else if (c == '"')
+      quoted = !quoted;
+    else if (!quoted && (c == '[' || c == '{'))
+      deepest = std::max(deepest, ++depth);
+    else if (!quoted && (c == ']' || c == '}'))
+      --depth;
+  }
+  return deepest;
+}
+
+/// "[json.exception.parse_error.101] parse error at line 1, column 9: syntax error ..." from "line" to the first ';'.
+std::string place_in(std::string what) {
+  const std::size_t at = what.find(" at line ");
+  if (at != std::string::npos) what = what.substr(at + 4);
+  return "no JSON: " + what.substr(0, 120);
+}
+
+Json parse(std::string_view text) {
+  if (depth_of(text) > kDeepest) throw std::runtime_error("brackets nested deeper than " + std::to_string(kDeepest));
+  try {
+    return Json::parse(text);
+  } catch (const Json::exception& error) {
+    throw std::runtime_error(place_in(error.what()));
+  }
+}
+
+/// Lines that hold something: what, and its number from 1.
+template <class Visit>
+void each_line(std::string_view bytes, Visit&& visit) {
+  std::size_t number = 0;
+  while (!bytes.empty()) {
+    const std::string_view line = bytes.substr(0, bytes.find('\n'));
+    ++number;
+    if (line.find_first_not_of(" \t\r") != std::string_view::npos) visit(line, number);
+    bytes.remove_prefix(std::min(bytes.size(), line.size() + 1));
+  }
+}
+
+CityFeatures read_sequence(std::string_view bytes, const ImportOptions& options, const Progress& progress) {
+  std::optional<cityjson::Intake> intake;
+  each_line(bytes, [&](std::string_view line, std::size_t number) {
+    const std::string where = "line " + std::to_string(number);
+    if (progress && number % 256 == 0)
+      progress("reading", static_cast<double>(line.data() - bytes.data()) / static_cast<double>(bytes.size()));
+    try {
+      const Json json = parse(line);
+      if (!intake) intake.emplace(json, options);
+      intake->add(json);
+    } catch (const std::runtime_error& error) {
+      if (!intake) throw std::runtime_error(where + " is no header of a CityJSON sequence: " + error.what());
+      intake->issues().push_back({where, error.what()});
+    }
+  });
+  if (!intake) throw std::runtime_error("the file is empty");
+  return features_of(intake->take());
+}
+
+}  // namespace
+
+CityFeatures read_cityjson_bytes(std::string_view bytes, bool sequence, const ImportOptions& options,
+                                 const Progress& progress) {
+  if (progress) progress("reading", 0);
+  if (sequence) return read_sequence(bytes, options, progress);
+  const Json json = parse(bytes);
+  cityjson::Intake intake(json, options);
+  if (progress) progress("reading", 0.5);
+  intake.add(json);
+  return features_of(intake.take());
+}
+
+bool is_cityjson(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  if (name.ends_with(".city.json") || name.ends_with(".jsonl")) return true;
+  if (!name.ends_with(".json")) return false;
+  try {
+    const auto bytes = files::read_whole(file, kMostBytes);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return text.find("\"CityJSON\"") != std::string_view::npos ||
+           text.find("\"CityObjects\"") != std::string_view::npos;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+CityFeatures read_cityjson(const std::filesystem::path& file, const ImportOptions& options, const Progress& progress) {
+  const bool sequence = file.extension() == ".jsonl";
+  try {
+    const auto bytes = files::read_whole(file, sequence ? kMostSequence : kMostBytes);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return read_cityjson_bytes(text, sequence, options, progress);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(file.string() + ": " + error.what());
+  }
+}
+
+}  // namespace manzana

@@ -1,0 +1,70 @@
+#include <cmath>
+
+#include "scenegraph/import/import.h"
+
+namespace manzana {
+namespace {
+
+constexpr double kReach = 300e3;  // metres from the frame's anchor; what lies farther is a stray
+
+/// From one frame's plan into another's.
+struct Move {
+  const LocalFrame& from;
+  const LocalFrame& to;
+  std::size_t far = 0;
+
+  Vec2d operator()(const Vec2d& p) const {
+    const GeoPoint place = from.to_geo({p, from.ground_z(p)});
+    return Vec2d(to.to_local({place.lat_deg, place.lon_deg, 0}));
+  }
+  void all(std::vector<Vec2d>& points) const {
+    for (Vec2d& p : points) p = (*this)(p);
+  }
+  void all(Polygon& shape) const {
+    all(shape.outer);
+    for (auto& hole : shape.holes) all(hole);
+  }
+  bool near(const Vec2d& p) { return glm::length(p) <= kReach || (++far, false); }
+  bool near(const std::vector<Vec2d>& points) { return points.empty() || near(points[0]); }
+};
+
+template <class T>
+void append(std::vector<T>& to, std::vector<T>&& from, auto&& keep) {
+  for (T& item : from)
+    if (keep(item)) to.push_back(std::move(item));
+}
+
+}  // namespace
+
+void merge(CityFeatures& into, CityFeatures more) {
+  Move move{more.frame, into.frame};
+  append(into.buildings, std::move(more.buildings),
+         [&](BuildingFeature& b) { return move.all(b.footprint), move.near(b.footprint.outer); });
+  append(into.constructions, std::move(more.constructions), [&](ConstructionFeature& c) {
+    for (Vec3d& p : c.points) p = {move(Vec2d(p)), p.z};
+    return c.points.empty() || move.near(Vec2d(c.points[0]));
+  });
+  // Nodes of two sources have nothing to do with each other.
+  std::int64_t own = 0;
+  for (const StreetFeature& s : into.streets)
+    for (const std::int64_t node : s.nodes) own = std::max(own, node);
+  append(into.streets, std::move(more.streets), [&](StreetFeature& s) {
+    for (std::int64_t& node : s.nodes) node += own + 1;
+    return move.all(s.line), move.near(s.line);
+  });
+  append(into.trees, std::move(more.trees), [&](TreeFeature& t) { return move.near(t.position = move(t.position)); });
+  append(into.plants, std::move(more.plants), [&](PlacedPlant& p) {
+    p.position = {move(Vec2d(p.position)), p.position.z};
+    return move.near(Vec2d(p.position));
+  });
+  append(into.areas, std::move(more.areas),
+         [&](AreaFeature& a) { return move.all(a.shape), move.near(a.shape.outer); });
+  append(into.issues, std::move(more.issues), [](const Issue&) { return true; });
+  if (move.far > 0)
+    into.issues.push_back(
+        {"another source", std::to_string(move.far) + " features are farther than 300 km from the first; left out"});
+  if (!more.attribution.empty() && into.attribution != more.attribution)
+    into.attribution += (into.attribution.empty() ? "" : "; ") + more.attribution;
+}
+
+}  // namespace manzana
