@@ -2,6 +2,8 @@
 
 #include <GeographicLib/Constants.hpp>
 #include <GeographicLib/Geocentric.hpp>
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <stdexcept>
@@ -27,6 +29,20 @@ Vec3d to_unit_sphere(const Vec3d& e) {
   return {e.x / a, e.y / a, e.z / b};
 }
 
+/// The point of the ellipsoid below an earth-centred position.
+GeoPoint below(const Vec3d& e) {
+  GeoPoint point;
+  Geocentric::WGS84().Reverse(e.x, e.y, e.z, point.lat_deg, point.lon_deg, point.height_m);
+  point.height_m = 0;
+  return point;
+}
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 }  // namespace
 
 bool valid(const GeoPoint& p) {
@@ -42,11 +58,18 @@ GeoPoint center_of(std::span<const GeoPoint> points) {
     ++n;
   }
   if (n == 0) return {};
-  sum /= static_cast<double>(n);
-  GeoPoint center;
-  Geocentric::WGS84().Reverse(sum.x, sum.y, sum.z, center.lat_deg, center.lon_deg, center.height_m);
-  center.height_m = 0;
-  return center;
+  return below(sum / static_cast<double>(n));
+}
+
+GeoPoint median_of(std::span<const GeoPoint> points) {
+  std::array<std::vector<double>, 3> values;
+  for (const GeoPoint& p : points) {
+    if (!valid(p)) continue;
+    const Vec3d e = to_earth_centred(p);
+    for (int k = 0; k < 3; ++k) values[static_cast<std::size_t>(k)].push_back(e[k]);
+  }
+  if (values[0].empty()) return {};
+  return below({median(values[0]), median(values[1]), median(values[2])});
 }
 
 LocalFrame::LocalFrame(const GeoPoint& anchor) : anchor_(anchor) {

@@ -24,6 +24,9 @@ bool valid(const GeoPoint& point);
 /// Points that are not valid are passed over; none left: {0, 0, 0}.
 GeoPoint center_of(std::span<const GeoPoint> points);
 
+/// Likewise, of the medians of the positions' components: a few strays do not draw it aside.
+GeoPoint median_of(std::span<const GeoPoint> points);
+
 class LocalFrame {
  public:
   /// Throws std::invalid_argument when the anchor is not valid.

@@ -10,6 +10,7 @@
 
 #include "apps/common/progress_bar.h"
 #include "foliage/import/species.h"
+#include "scenegraph/import/cityjson.h"
 #include "scenegraph/import/ecosystem_features.h"
 #include "scenegraph/import/tree_species.h"
 
@@ -78,6 +79,10 @@ bool has_file(const Options& options, std::size_t species) {
   return file_for(options, static_cast<PlantSpecies>(species)) != nullptr;
 }
 
+bool is_ecosystem(const std::string& city) {
+  return std::filesystem::path(city).extension() == ".json" && !is_cityjson(city);
+}
+
 CityFeatures load_ecosystem(const Options& options, Plants& plants) {
   const foliage::Ecosystem ecosystem = foliage::read_ecosystem(options.city);
   std::vector<std::size_t> all(ecosystem.plants.size());
@@ -103,12 +108,17 @@ Plants load_named_plants(const Options& options) {
 }
 
 Imported load_city(const Options& options, Plants& plants) {
-  const ImportOptions how{.seed = options.seed, .cars = options.cars};
-  std::optional<CityFeatures> placed;
-  if (std::filesystem::path(options.city).extension() == ".json") placed = load_ecosystem(options, plants);
+  const ImportOptions how{
+      .seed = options.seed, .cars = options.cars, .lod = options.lod, .reference_system = options.reference_system};
+  std::optional<CityFeatures> all;
+  if (is_ecosystem(options.city)) all = load_ecosystem(options, plants);
   apps::ProgressBar bar(stderr);
   const auto show = [&](std::string_view stage, double fraction) { bar.show(stage, fraction); };
-  return placed ? build_scene(std::move(*placed), how, show) : import_city(options.city, how, show);
+  const auto add = [&](CityFeatures more) { all ? merge(*all, std::move(more)) : void(all = std::move(more)); };
+  if (!all && !options.city.empty()) all = read_city(options.city, how, show);
+  for (const std::string& city : options.more) add(read_city(city, how, show));
+  for (const auto& list : options.tree_lists) add(read_tree_list(list, options.tree_columns, how));
+  return build_scene(std::move(*all), how, show);
 }
 
 void load_other_plants(const Options& options, const Scene& scene, Plants& plants) {

@@ -15,7 +15,8 @@ using Plants = std::vector<foliage::PreparedPlant>;
 /// The files of --plant, the other species empty. Throws as load_plant does.
 Plants load_named_plants(const Options& options);
 
-/// A city; or an ecosystem (.json), whose plants are added. Throws as import_city and read_ecosystem do.
+/// The cities and lists of trees, as one; or an ecosystem (.json), whose plants are added. Throws as import_city,
+/// read_tree_list and read_ecosystem do.
 Imported load_city(const Options& options, Plants& plants);
 
 /// Our own models of the species that stand there and have none yet.

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "foliage/import/species.h"
@@ -18,9 +19,10 @@ std::vector<std::string> law_names() {
 constexpr int kLargestSide = 16384;  // of a framebuffer, on every device that has GL 4.5
 
 constexpr const char* kAbout =
-    "Walk, fly and drive through a city. CITY is builtin:town or an OpenStreetMap file\n"
-    "(.osm, .osm.gz, .osm.bz2, .osm.pbf). F1 in the window shows the keys. Without a display, or with\n"
-    "--headless, a camera path is drawn to pictures, frames.csv and summary.json.\n"
+    "Walk, fly and drive through a city. CITY is builtin:town, an OpenStreetMap file (.osm, .osm.gz,\n"
+    ".osm.bz2, .osm.pbf) or CityJSON (.city.json, .city.jsonl); several make one scene. F1 in the window\n"
+    "shows the keys. Without a display, or with --headless, a camera path is drawn to pictures, frames.csv\n"
+    "and summary.json.\n"
     "Exit: 0 success, 1 bad input, 2 wrong usage.";
 
 std::optional<int> parse_int(std::string_view text) {
@@ -61,12 +63,45 @@ CLI::Validator within(double low, double high) {
 /// CLI11 sees strings; what they must look like is checked here, so that its messages name the option.
 struct Texts {
   std::string size = "1280x720", structure = "bqr", tree_law = "ours", dispatch = "batched";
-  std::vector<std::string> plants;
+  std::vector<std::string> plants, cities, tree_columns;
 };
 
+/// "height=h_tree" into the member of that name. False: no such member, or no name after it.
+bool set_column(TreeColumns& columns, const std::string& text) {
+  const std::array<std::pair<std::string_view, std::string TreeColumns::*>, 7> known{
+      {{"lat", &TreeColumns::lat},
+       {"lon", &TreeColumns::lon},
+       {"x", &TreeColumns::x},
+       {"y", &TreeColumns::y},
+       {"species", &TreeColumns::species},
+       {"height", &TreeColumns::height},
+       {"crown", &TreeColumns::crown}}};
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals + 1 == text.size()) return false;
+  for (const auto& [name, member] : known)
+    if (name == text.substr(0, equals)) return columns.*member = text.substr(equals + 1), true;
+  return false;
+}
+
 void add_options(CLI::App& app, Options& options, Texts& texts) {
-  app.add_option("CITY", options.city, "builtin:town, a file of OpenStreetMap, or an ecosystem of plants (.json)")
-      ->capture_default_str();
+  app.add_option("CITY", texts.cities,
+                 "builtin:town, files of OpenStreetMap or CityJSON, or an ecosystem of plants (.json); without it\n"
+                 "builtin:town, or the trees of --trees alone");
+  app.add_option("--trees", options.tree_lists, "a list of trees: .csv or .geojson; may be given again")
+      ->allow_extra_args(false);
+  app.add_option("--tree-columns", texts.tree_columns,
+                 "lat=NAME,lon=NAME (or x, y), species=NAME,height=NAME,crown=NAME: what the lists call them; the\n"
+                 "crown's is its diameter")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(
+          [](const std::string& text) {
+            TreeColumns columns;
+            return std::string(set_column(columns, text) ? "" : "is no column like height=NAME: " + text);
+          },
+          "");
+  app.add_option("--crs", options.reference_system, "reference system of files that name none, as EPSG:28992");
+  app.add_option("--lod", options.lod, "of CityJSON: the finest level of detail to take")->check(within(0, 10));
   app.add_flag("--headless", options.headless, "draw a camera path to files, without a window");
   app.add_option("--path", options.path, "camera path: tour, pina or a JSON file")->capture_default_str();
   app.add_option("--frames", options.frames, "frames that the whole path is spread over")
@@ -124,6 +159,10 @@ Options finish(Options options, const Texts& texts) {
   options.structure = texts.structure == "none" ? Structure::none : Structure::bqr;
   options.tree_law = foliage::law_named(texts.tree_law);
   options.trees_by_node = texts.dispatch == "node";
+  for (const std::string& column : texts.tree_columns) set_column(options.tree_columns, column);
+  if (!texts.cities.empty()) options.city = texts.cities.front();
+  if (texts.cities.empty() && !options.tree_lists.empty()) options.city.clear();
+  if (texts.cities.size() > 1) options.more.assign(texts.cities.begin() + 1, texts.cities.end());
   for (const std::string& plant : texts.plants) options.plants.push_back(*parse_plant(plant));
   return options;
 }

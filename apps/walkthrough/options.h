@@ -10,6 +10,7 @@
 
 #include "apps/common/program.h"
 #include "scenegraph/draw/renderer.h"
+#include "scenegraph/import/import.h"
 #include "scenegraph/visible.h"
 
 namespace manzana::walkthrough {
@@ -21,7 +22,10 @@ struct PlantFile {
 };
 
 struct Options {
-  std::string city = "builtin:town";
+  std::string city = "builtin:town";  ///< empty: trees alone
+  std::vector<std::string> more;      ///< other cities, laid beside or over the first
+  std::vector<std::filesystem::path> tree_lists;
+  TreeColumns tree_columns;
   bool headless = false;
   std::string path = "tour";  ///< built-in name, or a file
   int frames = 300, every = 30;
@@ -31,6 +35,8 @@ struct Options {
   std::string quality;  ///< low or high; empty: by the renderer's name
   std::uint64_t seed = 1;
   int cars = -1;  ///< -1: by the length of the streets
+  double lod = ImportOptions{}.lod;
+  std::string reference_system;  ///< of files that name none
   std::vector<PlantFile> plants;
   std::optional<double> tree_error_px;  ///< without it the quality decides
   double tree_vertices = 0, tree_ms = 0;

@@ -13,6 +13,7 @@ namespace manzana::cityjson {
 namespace {
 
 constexpr double kReach = 300e3;       // metres from the middle; what lies farther is a stray
+constexpr double kSliver = 0.5;        // m2: what joining leaves over beside larger pieces
 constexpr double kLeastGround = 0.01;  // m2, in plan: smaller are upright
 
 GeoPoint place_of(const Vec3d& geo) { return {geo.x, geo.y, 0}; }
@@ -22,7 +23,7 @@ LocalFrame frame_of(const Collected& all) {
   for (const Work& work : all.works)
     for (const Vec3d& p : work.shape.points) points.push_back(place_of(p));
   for (const StandingTree& tree : all.trees) points.push_back({tree.foot.lat_deg, tree.foot.lon_deg, 0});
-  return LocalFrame(center_of(points));
+  return LocalFrame(median_of(points));
 }
 
 /// Calls with each ring of each face: face, first ring of it, corners.
@@ -172,8 +173,10 @@ class Laying {
     const Geometry all = geos_.collection(GEOS_MULTIPOLYGON, std::move(parts));
     const Geometry one = geos_.owned(all ? GEOSUnaryUnion_r(geos_.handle(), all.get()) : nullptr);
     if (!one) all_.issues.push_back({where, "its surfaces could not be joined; drawn one by one"});
-    for (Polygon& shape : geos_.polygons(one ? one.get() : all.get()))
-      city_.areas.push_back({.where = where, .shape = std::move(shape), .kind = kind});
+    std::vector<Polygon> shapes = geos_.polygons(one ? one.get() : all.get());
+    const bool some = std::ranges::any_of(shapes, [](const Polygon& p) { return plan::area(p) >= kSliver; });
+    if (some) std::erase_if(shapes, [](const Polygon& p) { return plan::area(p) < kSliver; });
+    for (Polygon& shape : shapes) city_.areas.push_back({.where = where, .shape = std::move(shape), .kind = kind});
   }
 
   void plant(const StandingTree& tree) {

@@ -4,6 +4,7 @@
 #include "files/whole_file.h"
 #include "scenegraph/import/cityjson.h"
 #include "scenegraph/import/cityjson_objects.h"
+#include "scenegraph/import/json_text.h"
 
 namespace manzana {
 namespace {
@@ -12,40 +13,6 @@ using cityjson::Json;
 
 constexpr std::uint64_t kMostBytes = 256ULL << 20;  // of one document: some 15 times that in memory
 constexpr std::uint64_t kMostSequence = 2ULL << 30;
-constexpr int kDeepest = 64;  // brackets; the format itself has about 12
-
-int depth_of(std::string_view text) {
-  int depth = 0, deepest = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted && c == '\\')
-      ++i;
-    else if (c == '"')
-      quoted = !quoted;
-    else if (!quoted && (c == '[' || c == '{'))
-      deepest = std::max(deepest, ++depth);
-    else if (!quoted && (c == ']' || c == '}'))
-      --depth;
-  }
-  return deepest;
-}
-
-/// "[json.exception.parse_error.101] parse error at line 1, column 9: syntax error ..." from "line" to the first ';'.
-std::string place_in(std::string what) {
-  const std::size_t at = what.find(" at line ");
-  if (at != std::string::npos) what = what.substr(at + 4);
-  return "no JSON: " + what.substr(0, 120);
-}
-
-Json parse(std::string_view text) {
-  if (depth_of(text) > kDeepest) throw std::runtime_error("brackets nested deeper than " + std::to_string(kDeepest));
-  try {
-    return Json::parse(text);
-  } catch (const Json::exception& error) {
-    throw std::runtime_error(place_in(error.what()));
-  }
-}
 
 /// Lines that hold something: what, and its number from 1.
 template <class Visit>
@@ -66,7 +33,7 @@ CityFeatures read_sequence(std::string_view bytes, const ImportOptions& options,
     if (progress && number % 256 == 0)
       progress("reading", static_cast<double>(line.data() - bytes.data()) / static_cast<double>(bytes.size()));
     try {
-      const Json json = parse(line);
+      const Json json = parse_shallow_json(line);
       if (!intake) intake.emplace(json, options);
       intake->add(json);
     } catch (const std::runtime_error& error) {
@@ -84,7 +51,7 @@ CityFeatures read_cityjson_bytes(std::string_view bytes, bool sequence, const Im
                                  const Progress& progress) {
   if (progress) progress("reading", 0);
   if (sequence) return read_sequence(bytes, options, progress);
-  const Json json = parse(bytes);
+  const Json json = parse_shallow_json(bytes);
   cityjson::Intake intake(json, options);
   if (progress) progress("reading", 0.5);
   intake.add(json);

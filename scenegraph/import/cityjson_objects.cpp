@@ -128,7 +128,7 @@ void check_version(const Json& header) {
     throw std::runtime_error("is CityJSON " + version.substr(0, 20) + "; 1.0 to 2.0 are read");
 }
 
-/// Up the first parents, as far as they are in the document and no groups.
+/// Up the first parents, as far as they are in the document and no groups; empty where they go round.
 std::string root_of(const Json& objects, const std::string& id) {
   std::string root = id;
   for (int i = 0; i < kDeepest; ++i) {
@@ -137,7 +137,7 @@ std::string root_of(const Json& objects, const std::string& id) {
     if (above == nullptr || text_of(member(*above, "type")) == "CityObjectGroup") return root;
     root = parent;
   }
-  throw std::runtime_error("its parents go round");
+  return {};  // they go round
 }
 
 }  // namespace
@@ -250,9 +250,10 @@ void Intake::object(const Json& objects, const std::string& id, const Json& json
   const Role role = role_of(type);
   if (role == Role::unknown) throw std::runtime_error("an unknown type");
   if (role == Role::inner) return;
-  if (role == Role::tree) return plant(where_of(json, id), id, json, vertices);
+  if (role == Role::tree) return plant(id, json, vertices);
   const bool stands = role == Role::building || role == Role::work;
-  const std::string root = stands ? root_of(objects, id) : id;
+  std::string root = stands ? root_of(objects, id) : id;
+  if (root.empty()) out_.issues.push_back({where_of(json, root = id), "its parents go round; taken for itself"});
   Work& work = work_of(objects, root, role);
   if (role == Role::ground) work.ground = ground_of(json, type);
   for (const Json* geometry : chosen(json)) {
@@ -308,7 +309,7 @@ void Intake::append(Work& work, const Surfaces& surfaces, const Json& geometry, 
   }
 }
 
-void Intake::plant(const std::string& where, const std::string& id, const Json& json, const Vertices& vertices) {
+void Intake::plant(const std::string& id, const Json& json, const Vertices& vertices) {
   Vec3d low(std::numeric_limits<double>::infinity()), high = -low;
   const auto add = [&](const Vec3d& p) { low = glm::min(low, p), high = glm::max(high, p); };
   for (const Json* geometry : chosen(json)) {
@@ -341,7 +342,6 @@ void Intake::plant(const std::string& where, const std::string& id, const Json& 
   const bool crowned = crown >= 0.05 && crown <= 30;
   tree.crown_radius = wide ? *wide / 2 : crowned ? crown : crown_radius(species, tree.height);
   out_.trees.push_back(tree);
-  (void)where;
 }
 
 }  // namespace manzana::cityjson

@@ -65,7 +65,7 @@ class Intake {
   void read_templates(const Json& header);
   void read_looks(const Json& header);
   void object(const Json& objects, const std::string& id, const Json& json, const Vertices& vertices);
-  void plant(const std::string& where, const std::string& id, const Json& json, const Vertices& vertices);
+  void plant(const std::string& id, const Json& json, const Vertices& vertices);
   Work& work_of(const Json& objects, const std::string& id, Role role);
   void append(Work& work, const Json& geometry, const Vertices& vertices);
   void append(Work& work, const Surfaces& surfaces, const Json& geometry, const std::vector<Vec3d>& points);

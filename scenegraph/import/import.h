@@ -42,6 +42,16 @@ CityFeatures read_osm(const std::filesystem::path& file, const Progress& progres
 /// Throws as read_osm does.
 CityFeatures read_cityjson(const std::filesystem::path& file, const ImportOptions& options, const Progress& progress);
 
+/// Columns of a list of trees, or properties of its GeoJSON. Empty: what they are usually called, if it has them.
+struct TreeColumns {
+  std::string lat, lon, x, y;          ///< a place: degrees of WGS 84, or x and y of the reference system
+  std::string species, height, crown;  ///< botanical; metres; metres of the crown's diameter
+};
+
+/// .csv, .tsv, .geojson, .json. Throws as read_osm does.
+CityFeatures read_tree_list(const std::filesystem::path& file, const TreeColumns& columns,
+                            const ImportOptions& options);
+
 /// The built-in town: made up, the same for a seed on every machine.
 CityFeatures make_town(std::uint64_t seed);
 

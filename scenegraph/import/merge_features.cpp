@@ -1,4 +1,5 @@
 #include <cmath>
+#include <unordered_map>
 
 #include "scenegraph/import/import.h"
 
@@ -28,6 +29,21 @@ struct Move {
   bool near(const std::vector<Vec2d>& points) { return points.empty() || near(points[0]); }
 };
 
+/// Nodes of two sources have nothing to do with each other, whatever their numbers are.
+struct Renumber {
+  std::int64_t next = 0;
+  std::unordered_map<std::int64_t, std::int64_t> known = {};
+  std::int64_t all(std::vector<StreetFeature>& streets) {
+    for (StreetFeature& street : streets)
+      for (std::int64_t& node : street.nodes) {
+        const auto [at, fresh] = known.try_emplace(node, next);
+        if (fresh) ++next;
+        node = at->second;
+      }
+    return next;
+  }
+};
+
 template <class T>
 void append(std::vector<T>& to, std::vector<T>&& from, auto&& keep) {
   for (T& item : from)
@@ -44,14 +60,10 @@ void merge(CityFeatures& into, CityFeatures more) {
     for (Vec3d& p : c.points) p = {move(Vec2d(p)), p.z};
     return c.points.empty() || move.near(Vec2d(c.points[0]));
   });
-  // Nodes of two sources have nothing to do with each other.
-  std::int64_t own = 0;
-  for (const StreetFeature& s : into.streets)
-    for (const std::int64_t node : s.nodes) own = std::max(own, node);
-  append(into.streets, std::move(more.streets), [&](StreetFeature& s) {
-    for (std::int64_t& node : s.nodes) node += own + 1;
-    return move.all(s.line), move.near(s.line);
-  });
+  Renumber own;
+  Renumber other{.next = own.all(into.streets)};
+  other.all(more.streets);
+  append(into.streets, std::move(more.streets), [&](StreetFeature& s) { return move.all(s.line), move.near(s.line); });
   append(into.trees, std::move(more.trees), [&](TreeFeature& t) { return move.near(t.position = move(t.position)); });
   append(into.plants, std::move(more.plants), [&](PlacedPlant& p) {
     p.position = {move(Vec2d(p.position)), p.position.z};
