@@ -19,7 +19,7 @@ struct ImportOptions {
   std::uint64_t seed = 1;                                ///< of scattered trees, cars and the built-in town
   int cars = -1;                                         ///< how many; -1: by the length of the streets, at most 20 000
   double lod = std::numeric_limits<double>::infinity();  ///< of CityJSON: the finest that is wanted
-  std::string reference_system;                          ///< of files that name none: "EPSG:28992"; empty: none
+  std::string reference_system = {};                     ///< of files that name none: "EPSG:28992"; empty: none
 };
 
 /// What the report of an import says.
@@ -44,8 +44,8 @@ CityFeatures read_cityjson(const std::filesystem::path& file, const ImportOption
 
 /// Columns of a list of trees, or properties of its GeoJSON. Empty: what they are usually called, if it has them.
 struct TreeColumns {
-  std::string lat, lon, x, y;          ///< a place: degrees of WGS 84, or x and y of the reference system
-  std::string species, height, crown;  ///< botanical; metres; metres of the crown's diameter
+  std::string lat = {}, lon = {}, x = {}, y = {};  ///< a place: degrees of WGS 84, or x and y of the reference system
+  std::string species = {}, height = {}, crown = {};  ///< botanical; metres; metres of the crown's diameter
 };
 
 /// .csv, .tsv, .geojson, .json. Throws as read_osm does.

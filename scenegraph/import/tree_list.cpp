@@ -37,7 +37,7 @@ std::optional<double> number(std::string_view text) {
 
 /// What a row says of a tree, as it is written.
 struct Entry {
-  std::string where, species, height, crown;
+  std::string where, species = {}, height = {}, crown = {};
   std::optional<double> crown_m = {};  ///< of the outline, where there is one
 };
 
@@ -131,7 +131,7 @@ CityFeatures read_csv(std::string_view bytes, const TreeColumns& names, const Im
     trees.refuse({.where = "file"}, "x and y without a reference system: laid at latitude 0, longitude 0");
   for (CsvRow row; rows.next(row);) {
     const auto text = [&](const std::optional<std::size_t>& column) { return column ? row.fields[*column] : ""; };
-    Entry entry{.where = "line " + std::to_string(row.line), .species = {}, .height = {}, .crown = {}};
+    Entry entry{.where = "line " + std::to_string(row.line)};
     if (row.open_quote)
       trees.refuse(entry, "a quote is not closed");
     else if (row.fields.size() < rows.header().size())

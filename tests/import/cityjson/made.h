@@ -12,12 +12,14 @@ using Json = nlohmann::json;
 inline Json box_vertices(const std::array<double, 3>& low, const std::array<double, 3>& high) {
   Json vertices = Json::array();
   for (int i = 0; i < 8; ++i)
-    vertices.push_back({(i & 1) != 0 ? high[0] : low[0], (i & 2) != 0 ? high[1] : low[1], (i & 4) != 0 ? high[2] : low[2]});
+    vertices.push_back(
+        {(i & 1) != 0 ? high[0] : low[0], (i & 2) != 0 ? high[1] : low[1], (i & 4) != 0 ? high[2] : low[2]});
   return vertices;
 }
 inline Json box_shell(int first) {
   Json shell = Json::array();
-  for (const auto& face : {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}}) {
+  for (const auto& face :
+       {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}}) {
     Json ring = Json::array();
     for (const int corner : face) ring.push_back(first + corner);
     shell.push_back(Json::array({ring}));

@@ -57,7 +57,8 @@ TEST_CASE("where there is a terrain its height below the middle of a building is
 
 TEST_CASE("parts are one construction with their building and rooms are left out") {
   Json json = made::one_building();
-  for (const Json& v : made::box_vertices({691010, 5334000, 412}, {691014, 5334008, 420})) json["vertices"].push_back(v);
+  for (const Json& v : made::box_vertices({691010, 5334000, 412}, {691014, 5334008, 420}))
+    json["vertices"].push_back(v);
   json["CityObjects"]["part"] = {{"type", "BuildingPart"}, {"parents", {"house"}}, {"geometry", {made::solid(8)}}};
   json["CityObjects"]["room"] = {{"type", "BuildingRoom"}, {"parents", {"house"}}, {"geometry", {made::solid(8)}}};
   const CityFeatures city = made::read(json);
@@ -123,9 +124,7 @@ TEST_CASE("ground is flattened and joined by kind") {
   const CityFeatures city = made::read(json);
   REQUIRE(city.areas.size() == 3);
   for (const AreaFeature& area : city.areas) CHECK(area.shape.holes.empty());
-  const auto has = [&](Material kind) {
-    return std::ranges::count(city.areas, kind, &AreaFeature::kind) == 1;
-  };
+  const auto has = [&](Material kind) { return std::ranges::count(city.areas, kind, &AreaFeature::kind) == 1; };
   CHECK(has(Material::junction));
   CHECK(has(Material::pavement));
   CHECK(has(Material::water));
@@ -142,9 +141,8 @@ TEST_CASE("instances of templates become trees and works of the size that the ma
                          {"transformationMatrix", {4, 0, 0, 0, 0, 4, 0, 0, 0, 0, 12, 0, 0, 0, 0, 1}}};
   Json other = instance;
   other["boundaries"] = {1};
-  json["CityObjects"]["tree"] = {{"type", "SolitaryVegetationObject"},
-                                 {"attributes", {{"species", "Quercus robur"}}},
-                                 {"geometry", {instance}}};
+  json["CityObjects"]["tree"] = {
+      {"type", "SolitaryVegetationObject"}, {"attributes", {{"species", "Quercus robur"}}}, {"geometry", {instance}}};
   json["CityObjects"]["lamp"] = {{"type", "CityFurniture"}, {"geometry", {other}}};
   const CityFeatures city = made::read(json);
   REQUIRE(city.trees.size() == 1);
@@ -158,8 +156,10 @@ TEST_CASE("instances of templates become trees and works of the size that the ma
 
 TEST_CASE("a stray building is told and does not draw the others aside") {
   Json json = made::one_building();
-  for (const Json& v : made::box_vertices({691020, 5334000, 412}, {691030, 5334008, 418})) json["vertices"].push_back(v);
-  for (const Json& v : made::box_vertices({400000, 9334000, 412}, {400001, 9334008, 418})) json["vertices"].push_back(v);
+  for (const Json& v : made::box_vertices({691020, 5334000, 412}, {691030, 5334008, 418}))
+    json["vertices"].push_back(v);
+  for (const Json& v : made::box_vertices({400000, 9334000, 412}, {400001, 9334008, 418}))
+    json["vertices"].push_back(v);
   json["CityObjects"]["neighbour"] = {{"type", "Building"}, {"geometry", {made::solid(8)}}};
   json["CityObjects"]["stray"] = {{"type", "Building"}, {"geometry", {made::solid(16)}}};
   const CityFeatures city = made::read(json);
@@ -178,8 +178,10 @@ TEST_CASE("bytes changed at random end with features or one line") {
     std::string bytes = good;
     for (int k = random.below(4); k >= 0; --k) {
       const auto at = static_cast<std::size_t>(random.below(static_cast<int>(bytes.size())));
-      if (random.below(3) == 0) bytes.erase(at, static_cast<std::size_t>(random.below(30)));
-      else bytes[at] = "0123456789-.eE[]{},:\"ntf"[random.below(24)];
+      if (random.below(3) == 0)
+        bytes.erase(at, static_cast<std::size_t>(random.below(30)));
+      else
+        bytes[at] = "0123456789-.eE[]{},:\"ntf"[random.below(24)];
     }
     try {
       const CityFeatures city = read_cityjson_bytes(bytes, round % 2 == 1, {}, {});
