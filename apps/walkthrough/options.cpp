@@ -20,9 +20,8 @@ constexpr int kLargestSide = 16384;  // of a framebuffer, on every device that h
 
 constexpr const char* kAbout =
     "Walk, fly and drive through a city. CITY is builtin:town, an OpenStreetMap file (.osm, .osm.gz,\n"
-    ".osm.bz2, .osm.pbf) or CityJSON (.city.json, .city.jsonl); several make one scene. F1 in the window\n"
-    "shows the keys. Without a display, or with --headless, a camera path is drawn to pictures, frames.csv\n"
-    "and summary.json.\n"
+    ".osm.bz2, .osm.pbf) or CityJSON (.city.json, .city.jsonl). F1 in the window shows the keys. Without a\n"
+    "display, or with --headless, a camera path is drawn to pictures, frames.csv and summary.json.\n"
     "Exit: 0 success, 1 bad input, 2 wrong usage.";
 
 std::optional<int> parse_int(std::string_view text) {
@@ -63,7 +62,7 @@ CLI::Validator within(double low, double high) {
 /// CLI11 sees strings; what they must look like is checked here, so that its messages name the option.
 struct Texts {
   std::string size = "1280x720", structure = "bqr", tree_law = "ours", dispatch = "batched";
-  std::vector<std::string> plants, cities, tree_columns;
+  std::vector<std::string> plants, tree_columns;
 };
 
 /// "height=h_tree" into the member of that name. False: no such member, or no name after it.
@@ -84,9 +83,13 @@ bool set_column(TreeColumns& columns, const std::string& text) {
 }
 
 void add_options(CLI::App& app, Options& options, Texts& texts) {
-  app.add_option("CITY", texts.cities,
-                 "builtin:town, files of OpenStreetMap or CityJSON, or an ecosystem of plants (.json); without it\n"
-                 "builtin:town, or the trees of --trees alone");
+  app.add_option(
+         "CITY", options.city,
+         "builtin:town, a file of OpenStreetMap or CityJSON, or an ecosystem of plants (.json); without it, but\n"
+         "with --trees, those alone")
+      ->capture_default_str();
+  app.add_option("--add", options.more, "another city into the same scene; may be given again")
+      ->allow_extra_args(false);
   app.add_option("--trees", options.tree_lists, "a list of trees: .csv or .geojson; may be given again")
       ->allow_extra_args(false);
   app.add_option("--tree-columns", texts.tree_columns,
@@ -160,9 +163,6 @@ Options finish(Options options, const Texts& texts) {
   options.tree_law = foliage::law_named(texts.tree_law);
   options.trees_by_node = texts.dispatch == "node";
   for (const std::string& column : texts.tree_columns) set_column(options.tree_columns, column);
-  if (!texts.cities.empty()) options.city = texts.cities.front();
-  if (texts.cities.empty() && !options.tree_lists.empty()) options.city.clear();
-  if (texts.cities.size() > 1) options.more.assign(texts.cities.begin() + 1, texts.cities.end());
   for (const std::string& plant : texts.plants) options.plants.push_back(*parse_plant(plant));
   return options;
 }
@@ -176,6 +176,7 @@ Parsed parse_options(int argc, const char* const* argv) {
   Texts texts;
   add_options(app, options, texts);
   if (auto reply = apps::parse(app, argc, argv)) return {std::nullopt, std::move(reply->text), reply->exit_code};
+  if (app.count("CITY") == 0 && !options.tree_lists.empty()) options.city.clear();
   return {finish(std::move(options), texts), {}, 0};
 }
 

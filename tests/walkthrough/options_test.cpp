@@ -118,3 +118,26 @@ TEST_CASE("options: help and version are answers, not errors") {
                              "--quality", "--seed", "--cars", "--plant", "CITY"})
     CHECK(help.find(option) != std::string::npos);
 }
+
+TEST_CASE("options: several cities and lists of trees") {
+  const Parsed parsed =
+      parse({"a.osm", "--trees", "t.csv", "--add", "b.city.json", "--trees", "u.geojson", "--tree-columns",
+             "lat=N,lon=E,species=Baum,height=H,crown=K", "--crs", "EPSG:28992", "--lod", "1.2"});
+  REQUIRE(parsed.options);
+  const Options& o = *parsed.options;
+  CHECK(o.city == "a.osm");
+  CHECK(o.more == std::vector<std::string>{"b.city.json"});
+  REQUIRE(o.tree_lists.size() == 2);
+  CHECK(o.tree_lists[1] == "u.geojson");
+  CHECK(o.tree_columns.lat == "N");
+  CHECK(o.tree_columns.lon == "E");
+  CHECK(o.tree_columns.species == "Baum");
+  CHECK(o.tree_columns.height == "H");
+  CHECK(o.tree_columns.crown == "K");
+  CHECK(o.reference_system == "EPSG:28992");
+  CHECK(o.lod == 1.2);
+  REQUIRE(parse({"--trees", "t.csv"}).options);
+  CHECK(parse({"--trees", "t.csv"}).options->city.empty());
+  CHECK(parse({"--trees", "t.csv", "--tree-columns", "tall=H"}).exit_code == 2);
+  CHECK(parse({"--lod", "nan"}).exit_code == 2);
+}

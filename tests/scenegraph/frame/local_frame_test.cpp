@@ -113,6 +113,16 @@ TEST_CASE("centres are taken on the globe, not in longitudes") {
   CHECK(center_of({}).lat_deg == 0);
 }
 
+TEST_CASE("medians are taken on the globe and strays do not draw them aside") {
+  const std::vector<GeoPoint> across = {{-16.8, 179.999, 0}, {-16.8, -179.999, 0}, {-16.8, 180, 0}, {40, 10, 0}};
+  CHECK(std::abs(median_of(across).lat_deg + 16.8) < 0.01);
+  CHECK(std::abs(std::abs(median_of(across).lon_deg) - 180) < 0.01);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<GeoPoint> odd = {{nan, 0, 0}, {91, 5, 0}, {10, 20, 0}};
+  CHECK(median_of(odd).lat_deg == Approx(10));
+  CHECK(median_of({}).lat_deg == 0);
+}
+
 TEST_CASE("what is not on the globe is refused") {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   for (const GeoPoint& p : {GeoPoint{90.0001, 0, 0}, GeoPoint{nan, 0, 0}, GeoPoint{0, nan, 0}, GeoPoint{0, 541, 0},
