@@ -22,6 +22,10 @@ TEST_CASE("reference systems place their points") {
       Known{"EPSG:25832", {500000, 0, 0}, 0, 9, 1e-9},
       Known{"https://www.opengis.net/def/crs/EPSG/0/28992", {155000, 463000, 0}, 52.15517, 5.38721, 2e-5},
       Known{"urn:ogc:def:crs:EPSG::7415", {155000, 463000, 12}, 52.15517, 5.38721, 2e-5},
+      Known{"EPSG:7415", {84616.47, 447423.00, 0}, 52.0107, 4.3620, 6e-5},  // corners of the manifest's extents
+      Known{"EPSG:7415", {196592.37, 424074.41, 0}, 51.8038, 5.9902, 6e-5},
+      Known{"EPSG:28992", {91002.42, 436048.22, 0}, 51.9092, 4.4571, 6e-5},
+      Known{"EPSG:25833", {396800.54, 5819401.04, 0}, 52.5149, 13.4792, 6e-5},
       Known{"epsg:2056", {2600000, 1200000, 0}, 46.95108, 7.43864, 2e-5},
       Known{"http://www.opengis.net/def/crs-compound?1=http://www.opengis.net/def/crs/EPSG/0/28992&2=http://www.opengis.net/def/crs/EPSG/0/5709",
             {155000, 463000, 0}, 52.15517, 5.38721, 2e-5});
