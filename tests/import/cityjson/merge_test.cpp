@@ -46,12 +46,12 @@ TEST_CASE("streets of two sources never meet by their numbers") {
 TEST_CASE("a source on another continent is left out and told") {
   CityFeatures into, more;
   into.frame = LocalFrame({48, 11, 0});
-  into.attribution = "A";
+  into.attribution = std::string("the first");
   more.frame = LocalFrame({-33, 151, 0});
-  more.attribution = "B";
+  more.attribution = std::string("the second");
   more.trees.resize(3);
   merge(into, more);
   CHECK(into.trees.empty());
   CHECK(made::listed(into, "another source", "3 features"));
-  CHECK(into.attribution == "A; B");
+  CHECK(into.attribution == "the first; the second");
 }
