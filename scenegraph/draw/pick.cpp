@@ -126,7 +126,11 @@ Ids read(const PixelRect& rect) {
 
 }  // namespace
 
-Ids pick_objects(const Pickable& what, const Camera& camera, Size picture, const PixelRect& rect) {
+PickPrograms::PickPrograms()
+    : meshes(make_pass("pick_mesh", shaders::pick_mesh_vert)), trees(make_pass("pick_tree", shaders::pick_tree_vert)) {}
+
+Ids pick_objects(const PickPrograms& programs, const Pickable& what, const Camera& camera, Size picture,
+                 const PixelRect& rect) {
   const IdTarget target(rect);
   const Mat4 clip = onto_rect(camera.view_projection, picture, rect);
   const std::span<const culling::ObjectRun> runs = what.sets.objects();
@@ -134,13 +138,11 @@ Ids pick_objects(const Pickable& what, const Camera& camera, Size picture, const
   for (const BlockFrame& block : what.scene.blocks) rows.push_back(relative_to(camera.eye, block));
   const gl::Buffer blocks = gl::make_buffer(std::as_bytes(std::span(rows)));
   begin(target, rect);
-  const gl::Program meshes = make_pass("pick_mesh", shaders::pick_mesh_vert),
-                    trees = make_pass("pick_tree", shaders::pick_tree_vert);
-  use(meshes, clip);
+  use(programs.meshes, clip);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, blocks.name());
   draw_mesh_ids(what.buildings, runs);
   draw_mesh_ids(what.surfaces, runs);
-  use(trees, clip);
+  use(programs.trees, clip);
   draw_tree_ids(crowns_of(what.scene, runs, camera.eye));
   return read(rect);
 }

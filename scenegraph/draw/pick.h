@@ -11,8 +11,13 @@ struct Pickable {
   const CityLayer &buildings, &surfaces;
 };
 
+struct PickPrograms {
+  PickPrograms();
+  gl::Program meshes, trees;
+};
+
 /// As Renderer::pick has it. A framebuffer of the rectangle's size is made and goes again.
-std::vector<std::uint32_t> pick_objects(const Pickable& what, const Camera& camera, Size picture,
-                                        const PixelRect& rect);
+std::vector<std::uint32_t> pick_objects(const PickPrograms& programs, const Pickable& what, const Camera& camera,
+                                        Size picture, const PixelRect& rect);
 
 }  // namespace manzana::draw

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <optional>
 
 #include "gl/framebuffer.h"
 #include "manzana_draw_shaders.h"
@@ -99,6 +100,7 @@ struct Renderer::State {
   std::vector<gl::Target> targets;
   std::size_t screen = 0;
   Compositor compositor;
+  std::optional<PickPrograms> picker;  ///< from the first time on that somebody picks
 };
 
 std::size_t Renderer::State::bytes_of_frame(const VisibleSets& sets) const {
@@ -242,8 +244,10 @@ void Renderer::overlay(const Overlay& how) {
 
 std::vector<std::uint32_t> Renderer::pick(const Scene& scene, const VisibleSets& sets, const Camera& camera,
                                           const PixelRect& rect) {
-  const State& s = *state_;
-  return pick_objects({scene, sets, s.buildings, s.surfaces}, camera, {s.target().width, s.target().height}, rect);
+  State& s = *state_;
+  if (!s.picker) s.picker.emplace();
+  return pick_objects(*s.picker, {scene, sets, s.buildings, s.surfaces}, camera, {s.target().width, s.target().height},
+                      rect);
 }
 
 std::vector<unsigned char> Renderer::read_pixels() {

@@ -1,0 +1,35 @@
+# cmake --install: libraries, headers, and lib/cmake/Manzana. A program outside asks for what it needs:
+#   find_package(Manzana 0.1 REQUIRED COMPONENTS culling)
+#   target_link_libraries(host PRIVATE manzana::culling)
+# Each component has an export of its own, so that one that needs little asks for little.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(headers ${CMAKE_INSTALL_INCLUDEDIR}/manzana-${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/Manzana)
+
+function(install_component name)
+  foreach(target IN LISTS ARGN)
+    string(REGEX REPLACE "^manzana_" "" short ${target})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${short})
+    target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:${headers}>)
+    install(TARGETS ${target} EXPORT manzana_${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  endforeach()
+  install(EXPORT manzana_${name} NAMESPACE manzana:: FILE ${name}.cmake DESTINATION ${package})
+endfunction()
+
+install_component(culling manzana_culling manzana_highway)
+install_component(foliage manzana_files manzana_foliage manzana_plant_import)
+install_component(scenegraph manzana_scenegraph)
+install_component(import manzana_import)
+install_component(draw manzana_glad manzana_gl manzana_foliage_gl manzana_draw)
+install_component(view manzana_view)
+
+install(DIRECTORY culling files foliage gl scenegraph manzana DESTINATION ${headers}
+  FILES_MATCHING PATTERN "*.h" PATTERN "*_layout.glsl" PATTERN baselines EXCLUDE)
+install(DIRECTORY $<TARGET_PROPERTY:manzana_glad,glad_headers>/ DESTINATION ${headers})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/ManzanaConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/ManzanaConfig.cmake INSTALL_DESTINATION ${package})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/ManzanaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/ManzanaConfig.cmake ${PROJECT_BINARY_DIR}/ManzanaConfigVersion.cmake
+  DESTINATION ${package})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
