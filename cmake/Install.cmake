@@ -32,4 +32,18 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/ManzanaConfig.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/ManzanaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/ManzanaConfig.cmake ${PROJECT_BINARY_DIR}/ManzanaConfigVersion.cmake
   DESTINATION ${package})
+# The same for pkg-config; our libraries are static, so theirs are named too.
+function(install_pc name description)
+  list(TRANSFORM ARGN PREPEND "-l")
+  list(JOIN ARGN " " libraries)
+  file(RELATIVE_PATH up "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/manzana.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+install_pc(manzana-culling "Frustum culling of cities by a BqR-Tree" manzana_culling hwy tbb)
+install_pc(manzana "Cities and forests, drawn in another program's window"
+  manzana_view manzana_draw manzana_foliage_gl manzana_gl manzana_glad manzana_import manzana_plant_import
+  manzana_scenegraph manzana_foliage manzana_files manzana_culling tinygltf meshoptimizer GeographicLib geos_c expat bz2 z
+  lz4 xxhash stb hwy tbb EGL pthread)
+
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

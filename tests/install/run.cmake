@@ -1,11 +1,23 @@
-# cmake -DBUILD=... -DCONSUMER=... -DWORK=... -P run.cmake: installs what is built, builds a program outside with it, runs
-# that. Two such runs may go on side by side: each has a prefix of its own.
-foreach(command IN ITEMS
-    "${CMAKE_COMMAND};--install;${BUILD};--prefix;${WORK}/prefix"
-    "${CMAKE_COMMAND};-G;Ninja;-S;${CONSUMER};-B;${WORK}/build;-DCMAKE_PREFIX_PATH=${WORK}/prefix;-DCMAKE_BUILD_TYPE=Release"
-    "${CMAKE_COMMAND};--build;${WORK}/build"
-    "${WORK}/build/consumer")
-  execute_process(COMMAND ${command} RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
+# cmake -DBUILD=... -DCONSUMER=... -DWORK=... [-DPC=name] -P run.cmake: installs what is built, builds a program outside with it
+# (by CMake's package, or by pkg-config), runs that. Two such runs may go on side by side: each has a prefix of its own.
+set(prefix ${WORK}/prefix)
+set(install "${CMAKE_COMMAND};--install;${BUILD};--prefix;${prefix}")
+file(MAKE_DIRECTORY ${WORK}/build)
+if(PC)
+  set(ENV{PKG_CONFIG_PATH} ${prefix}/lib/pkgconfig)
+  set(build "sh;-c;c++ -std=c++20 -O1 ${CONSUMER}/main.cpp -o ${WORK}/build/consumer $(pkg-config --cflags --libs ${PC})")
+else()
+  set(configure "${CMAKE_COMMAND};-G;Ninja;-S;${CONSUMER};-B;${WORK}/build;-DCMAKE_PREFIX_PATH=${prefix};-DCMAKE_BUILD_TYPE=Release")
+  set(build "${CMAKE_COMMAND};--build;${WORK}/build")
+endif()
+foreach(command IN ITEMS install configure build run)
+  if(command STREQUAL "run")
+    set(run ${WORK}/build/consumer)
+  endif()
+  if(NOT DEFINED ${command})
+    continue()
+  endif()
+  execute_process(COMMAND ${${command}} RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
   if(failed)
     message(FATAL_ERROR "${command}: ${failed}\n${said}")
   endif()
