@@ -24,6 +24,8 @@ install_component(import manzana_import)
 install_component(draw manzana_glad manzana_gl manzana_foliage_gl manzana_draw)
 install_component(view manzana_view)
 
+install(TARGETS manzana_c LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+
 install(DIRECTORY culling files foliage gl scenegraph manzana DESTINATION ${headers}
   FILES_MATCHING PATTERN "*.h" PATTERN "*_layout.glsl" PATTERN baselines EXCLUDE)
 install(DIRECTORY $<TARGET_PROPERTY:manzana_glad,glad_headers>/ DESTINATION ${headers})

@@ -235,7 +235,20 @@ void View::pick(std::size_t i, const draw::PixelRect& rect, std::span<FeatureId>
   std::copy(seen.begin(), seen.end(), ids.begin());
 }
 
+std::optional<Vec3d> View::place(std::size_t i, int x, int y) {
+  State& s = *state_;
+  if (!s.shown.renderer || i >= s.eyes.size()) return {};
+  const Eye& eye = s.eyes[i];
+  const draw::PixelRect& v = eye.host.viewport;
+  const double depth = s.shown.renderer->depth_at(i, x, y);
+  if (depth <= 0) return {};
+  const Vec2d at = 2.0 * Vec2d((x + 0.5) / v.width, (y + 0.5) / v.height) - 1.0;
+  const glm::dvec4 rel = glm::inverse(eye.camera.view_projection) * glm::dvec4(at, depth, 1);
+  return eye.camera.eye + Vec3d(rel) / rel.w;
+}
+
 draw::DrawOptions& View::drawing() { return state_->drawing; }
+const draw::DrawOptions& View::drawing() const { return state_->drawing; }
 
 void View::release() noexcept { state_->forget(); }
 

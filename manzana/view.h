@@ -8,8 +8,8 @@
 ///   view.render(0);
 ///   ...before the context goes:  view.release();              // or, when it is gone: view.context_lost();
 /// Threads: show() from any; all else from one at a time. Views share nothing that changes: each may have its thread
-/// and context. render(), pick() and release() call GL, nothing else does; what they find of state they put back.
-/// Errors: std::runtime_error when the device cannot do what is needed; then nothing is shown, and show() may try
+/// and context. render(), pick(), place() and release() call GL, nothing else does; what they find of state they put
+/// back. Errors: std::runtime_error when the device cannot do what is needed; then nothing is shown, and show() may try
 /// again.
 #include <glm/mat4x4.hpp>
 
@@ -74,8 +74,12 @@ class View {
   /// What stands in each pixel of a rectangle of camera i's viewport, rows from the bottom, into the host's memory.
   void pick(std::size_t i, const draw::PixelRect& rect, std::span<FeatureId> ids);
 
+  /// Where that is which stands in a pixel of camera i's viewport, in L, by the depth that was last rendered there.
+  std::optional<Vec3d> place(std::size_t i, int x, int y);
+
   /// How it is drawn from now on: layers, sun, error of trees, wind. Without sky unless asked.
   draw::DrawOptions& drawing();
+  const draw::DrawOptions& drawing() const;
 
   void release() noexcept;       ///< with the context current: frees all of the device. It may be drawn again
   void context_lost() noexcept;  ///< the context is gone: nothing is asked of it. It may be drawn again in another

@@ -242,6 +242,15 @@ void Renderer::overlay(const Overlay& how) {
   draw_overlay(state_->compositor, state_->target(), how);
 }
 
+double Renderer::depth_at(std::size_t screen, int x, int y) const {
+  if (screen >= state_->targets.size()) return 0;
+  const gl::Target& target = state_->targets[screen];
+  float depth = 0;
+  if (x >= 0 && y >= 0 && x < target.width && y < target.height)
+    glGetTextureSubImage(target.depth.name(), 0, x, y, 0, 1, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, sizeof depth, &depth);
+  return static_cast<double>(depth);
+}
+
 std::vector<std::uint32_t> Renderer::pick(const Scene& scene, const VisibleSets& sets, const Camera& camera,
                                           const PixelRect& rect) {
   State& s = *state_;

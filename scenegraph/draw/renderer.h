@@ -107,6 +107,8 @@ class Renderer {
   /// Lays the picture over what the bound framebuffer shows, premultiplied, and its depth beside what is there: what is
   /// nearer stays. Leaves GL's state changed.
   void overlay(const Overlay& how);
+  /// Of a pixel of that screen, after overlay(): 1 near, 0 where nothing stands. Waits for the GPU.
+  double depth_at(std::size_t screen, int x, int y) const;
   /// Of each pixel of a rectangle of the picture the number of the tree's object (BqrTree) that is seen there, plus 1;
   /// 0 of none. Trees are picked by their crowns. Rows from the bottom. Waits for the GPU.
   std::vector<std::uint32_t> pick(const Scene& scene, const VisibleSets& sets, const Camera& camera,

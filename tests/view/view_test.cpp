@@ -339,6 +339,12 @@ TEST_CASE("view 9: what is picked has a number and a kind and a place") {
   CHECK(again[0] == one);
   const Feature feature = town()->feature(one);
   CHECK(feature.id == one);
+  view.render(0);
+  const auto place = view.place(0, kWidth / 2, kHeight / 4);
+  REQUIRE(place);
+  CHECK(glm::all(glm::greaterThan(*place, feature.box.min - 0.05)));
+  CHECK(glm::all(glm::lessThan(*place, feature.box.max + 0.05)));
+  CHECK_FALSE(view.place(0, kWidth / 2, kHeight - 1));  // the sky
   CHECK(std::abs(feature.place.lat_deg - town()->frame().anchor().lat_deg) < 0.05);
   CHECK_THROWS_AS(town()->feature(0), std::out_of_range);
   CHECK_THROWS_AS(town()->feature(town()->features() + 1), std::out_of_range);

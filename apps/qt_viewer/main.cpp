@@ -1,0 +1,51 @@
+// manzana-qt-viewer: a small GIS viewer round manzana/view.h. READ FIRST: city_widget.cpp.
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QStatusBar>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <cstdio>
+
+#include "apps/qt_viewer/viewer_window.h"
+
+namespace {
+
+/// Once the city is drawn; 1 when it cannot be read.
+void save_and_end(manzana::qt::ViewerWindow& window, const QString& file) {
+  auto* timer = new QTimer(&window);
+  QObject::connect(timer, &QTimer::timeout, [&window, file] {
+    if (!window.city().shown()) return;
+    window.identify({window.city().width() / 2, window.city().height() / 2});
+    QApplication::exit(window.grab().save(file) ? 0 : 1);
+  });
+  window.city().opened = [&window, timer](bool there) {
+    if (there) return timer->start(100);
+    std::fprintf(stderr, "%s\n", qPrintable(window.statusBar()->currentMessage()));
+    QApplication::exit(1);
+  };
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QSurfaceFormat format;
+  format.setVersion(4, 5);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  QSurfaceFormat::setDefaultFormat(format);
+  QApplication application(argc, argv);
+  QApplication::setApplicationName("manzana-qt-viewer");
+  QCommandLineParser parser;
+  parser.setApplicationDescription("Shows a city, its layers, and what is where.");
+  parser.addHelpOption();
+  parser.addPositionalArgument("CITY", "builtin:town or a file of OpenStreetMap", "[CITY]");
+  const QCommandLineOption picture("screenshot", "write the window to FILE once the city is drawn, and end", "FILE");
+  parser.addOption(picture);
+  parser.process(application);
+  manzana::qt::ViewerWindow window;
+  window.resize(1100, 700);
+  window.show();
+  if (parser.isSet(picture)) save_and_end(window, parser.value(picture));
+  window.open(parser.positionalArguments().value(0, "builtin:town"));
+  return QApplication::exec();
+}
