@@ -29,6 +29,8 @@ install(TARGETS manzana_c LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY culling files foliage gl scenegraph manzana DESTINATION ${headers}
   FILES_MATCHING PATTERN "*.h" PATTERN "*_layout.glsl" PATTERN baselines EXCLUDE)
 install(DIRECTORY $<TARGET_PROPERTY:manzana_glad,glad_headers>/ DESTINATION ${headers})
+find_package(PROJ CONFIG QUIET)  # as scenegraph/import has it
+set(with_proj ${PROJ_FOUND})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/ManzanaConfig.cmake.in
   ${PROJECT_BINARY_DIR}/ManzanaConfig.cmake INSTALL_DESTINATION ${package})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/ManzanaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
@@ -43,9 +45,12 @@ function(install_pc name description)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 install_pc(manzana-culling "Frustum culling of cities by a BqR-Tree" manzana_culling hwy tbb)
+if(with_proj)
+  set(proj proj)
+endif()
 install_pc(manzana "Cities and forests, drawn in another program's window"
   manzana_view manzana_draw manzana_foliage_gl manzana_gl manzana_glad manzana_import manzana_plant_import
   manzana_scenegraph manzana_foliage manzana_files manzana_culling tinygltf meshoptimizer GeographicLib geos_c expat bz2 z
-  lz4 xxhash stb hwy tbb EGL pthread)
+  lz4 xxhash stb ${proj} hwy tbb EGL pthread)
 
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
