@@ -54,7 +54,7 @@ class StreamBuffer {
   }
   void end();
   GLuint name() const { return buffer_.name(); }
-  const Buffer& buffer() const { return buffer_; }
+  std::size_t bytes() const { return kThirds * third_; }
   /// What `take` of so many bytes may use up, for the sum that begin() wants.
   static std::size_t padded(std::size_t bytes) { return (bytes + kAlignment - 1) / kAlignment * kAlignment; }
 

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <mutex>
 #include <stdexcept>
+#include <utility>
 
 #include "gl/context.h"
 #include "gl/state.h"
@@ -94,6 +95,7 @@ struct View::State {
     resident = {};
   }
   void take_wanted();
+  RendererPtr make_renderer(const Model& model) const;
   void bring();
   void swap_in();
   void see(Eye& eye, const HostCamera& camera, double seconds);
@@ -111,6 +113,12 @@ void View::State::take_wanted() {
   coming.model = std::move(wanted);
 }
 
+RendererPtr View::State::make_renderer(const Model& model) const {
+  const draw::Quality quality =
+      options.quality.empty() ? draw::quality_for(gl::renderer_name()) : draw::quality_named(options.quality);
+  return std::make_unique<draw::Renderer>(model.scene(), model.plants(), quality, model.prepared());
+}
+
 /// One frame's share of the upload.
 void View::State::bring() {
   if (!coming.model) return;
@@ -121,10 +129,9 @@ void View::State::bring() {
           " are allowed");
       return drop(coming);
     }
-    const draw::Quality quality =
-        options.quality.empty() ? draw::quality_for(gl::renderer_name()) : draw::quality_named(options.quality);
-    const Model& m = *coming.model;
-    coming.renderer = std::make_unique<draw::Renderer>(m.scene(), m.plants(), quality, m.prepared());
+    const std::shared_ptr<const Model> model = std::exchange(coming.model, nullptr);  // gone, should that throw
+    coming.renderer = make_renderer(*model);
+    coming.model = model;
   }
   coming.left = coming.renderer->upload(options.upload_bytes_a_frame);
   repaint();
@@ -150,6 +157,9 @@ void View::State::see(Eye& eye, const HostCamera& camera, double seconds) {
 void View::State::account() {
   update.shown = shown.renderer != nullptr;
   update.bytes_to_upload = coming.left;
+  update.gpu_bytes = 0;
+  for (const Resident* resident : {&shown, &coming})
+    if (resident->renderer) update.gpu_bytes += resident->renderer->device_bytes();
 }
 
 void View::State::forget() noexcept {
@@ -219,7 +229,6 @@ void View::render(std::size_t i) {
   draw::Overlay overlay{.viewport = viewport, .linear = s.options.linear_framebuffer};
   set_depth(overlay, eye.host, eye.camera);
   renderer.overlay(overlay);
-  s.update.gpu_bytes = renderer.device_bytes();
 }
 
 void View::pick(std::size_t i, const draw::PixelRect& rect, std::span<FeatureId> ids) {

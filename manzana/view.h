@@ -9,8 +9,9 @@
 ///   ...before the context goes:  view.release();              // or, when it is gone: view.context_lost();
 /// Threads: show() from any; all else from one at a time. Views share nothing that changes: each may have its thread
 /// and context. render(), pick(), place() and release() call GL, nothing else does; what they find of state they put
-/// back. Errors: std::runtime_error when the device cannot do what is needed; then nothing is shown, and show() may try
-/// again.
+/// back.
+/// Errors: render() throws std::runtime_error when the device cannot do what is needed, std::invalid_argument for a
+/// quality that there is none of. The city that was to come is dropped then, once; show() may try again.
 #include <glm/mat4x4.hpp>
 
 #include "culling/host_camera.h"

@@ -3,6 +3,7 @@
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <QSurfaceFormat>
 #include <QWheelEvent>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -19,6 +20,14 @@ Host host_of(QWidget* widget) {
 }
 
 }  // namespace
+
+void ask_for_context() {
+  QSurfaceFormat format;
+  format.setVersion(4, 5);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  QSurfaceFormat::setDefaultFormat(format);
+}
 
 CityWidget::CityWidget(QWidget* parent) : QOpenGLWidget(parent), view_(host_of(this)) { setMouseTracking(true); }
 

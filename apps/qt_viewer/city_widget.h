@@ -11,6 +11,9 @@
 
 namespace manzana::qt {
 
+/// OpenGL 4.5 for every widget of the program; before the QApplication is made.
+void ask_for_context();
+
 class CityWidget : public QOpenGLWidget {
  public:
   explicit CityWidget(QWidget* parent = nullptr);

@@ -2,7 +2,6 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QStatusBar>
-#include <QSurfaceFormat>
 #include <QTimer>
 #include <cstdio>
 
@@ -28,11 +27,7 @@ void save_and_end(manzana::qt::ViewerWindow& window, const QString& file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  QSurfaceFormat format;
-  format.setVersion(4, 5);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  QSurfaceFormat::setDefaultFormat(format);
+  manzana::qt::ask_for_context();
   QApplication application(argc, argv);
   QApplication::setApplicationName("manzana-qt-viewer");
   QCommandLineParser parser;

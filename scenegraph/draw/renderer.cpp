@@ -100,6 +100,7 @@ struct Renderer::State {
   std::vector<gl::Target> targets;
   std::size_t screen = 0;
   Compositor compositor;
+  std::size_t buffer_bytes = 0;        ///< of those that stay as large as they are
   std::optional<PickPrograms> picker;  ///< from the first time on that somebody picks
 };
 
@@ -163,6 +164,7 @@ Renderer::Renderer(const Scene& scene, std::span<const foliage::PreparedPlant> p
 Renderer::Renderer(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& quality,
                    std::shared_ptr<const PreparedCity> city)
     : state_(std::make_unique<State>(scene, plants, quality, std::move(city))) {
+  state_->buffer_bytes = draw::device_bytes(*state_->city) + device_bytes_of(state_->trees);
   resize({1, 1});
 }
 
@@ -174,13 +176,11 @@ std::size_t Renderer::upload(std::size_t most_bytes) {
 
 std::size_t Renderer::device_bytes() const {
   const State& s = *state_;
-  std::size_t sum = 0;
+  std::size_t sum = s.buffer_bytes + s.stream.bytes();
   for (const gl::Target& t : s.targets)
     sum += static_cast<std::size_t>(t.width) * static_cast<std::size_t>(t.height) * 8 *
            static_cast<std::size_t>(t.samples > 1 ? t.samples + 1 : 1);
-  for (const CityLayer* layer : {&s.buildings, &s.surfaces})
-    sum += gl::bytes_of(layer->vertices) + gl::bytes_of(layer->indices);
-  return sum + gl::bytes_of(s.stream.buffer()) + device_bytes_of(s.trees);
+  return sum;
 }
 
 Renderer::~Renderer() = default;

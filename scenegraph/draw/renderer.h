@@ -89,7 +89,7 @@ class Renderer {
            std::shared_ptr<const PreparedCity> city);
   /// At most so many bytes; returns how many are left.
   std::size_t upload(std::size_t most_bytes);
-  std::size_t device_bytes() const;  ///< of buffers and pictures, about
+  std::size_t device_bytes() const;  ///< of buffers and pictures, about; no GL
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;

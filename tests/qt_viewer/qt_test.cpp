@@ -151,11 +151,7 @@ TEST_CASE("qt: places in words") {
 }
 
 int main(int argc, char** argv) {
-  QSurfaceFormat format;
-  format.setVersion(4, 5);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  QSurfaceFormat::setDefaultFormat(format);
+  ask_for_context();
   QApplication application(argc, argv);
   return Catch::Session().run(argc, argv);
 }
