@@ -155,10 +155,20 @@ class Insertion {
     return here && (at == tree_.root || reached_from(tree_.nodes[at].parent));
   }
 
+  std::uint32_t add_node(const BqrNode& node) {
+    if (tree_.spare.empty()) {
+      tree_.nodes.push_back(node);
+      return static_cast<std::uint32_t>(tree_.nodes.size() - 1);
+    }
+    const std::uint32_t at = tree_.spare.back();
+    tree_.spare.pop_back();
+    tree_.nodes[at] = node;
+    return at;
+  }
+
   std::uint32_t add_node(const BoxD& box) {
-    const auto at = static_cast<std::uint32_t>(tree_.nodes.size());
     const Lattice lattice = make_lattice(merge(box, ball_.center));
-    tree_.nodes.push_back(empty_node(lattice));
+    const std::uint32_t at = add_node(empty_node(lattice));
     tree_.nodes[at].parent = at;
     tree_.reach = std::max(tree_.reach, reach_of(lattice));
     return at;
@@ -180,7 +190,7 @@ class Insertion {
   std::uint32_t put_above_root() {
     const std::uint32_t below = tree_.root;
     const BoxD old = box_of(tree_.nodes[below]), all = merge(old, box_);
-    if (old.empty()) tree_.nodes.clear();  // nothing is left below it
+    if (old.empty()) tree_.nodes.clear(), tree_.spare.clear();  // nothing is left below it
     tree_.root = add_node({all.min - (all.max - all.min), all.max + (all.max - all.min)});
     if (!old.empty()) set_child(tree_.root, 0, below, old);
     return tree_.root;
@@ -190,9 +200,8 @@ class Insertion {
   void split(std::uint32_t at) {
     if (at == tree_.root) put_above_root();
     if (full(tree_.nodes[tree_.nodes[at].parent])) split(tree_.nodes[at].parent);
-    const auto to = static_cast<std::uint32_t>(tree_.nodes.size());
     const std::uint16_t half = farther_half(tree_.nodes[at]);
-    tree_.nodes.push_back(BqrNode(tree_.nodes[at]));
+    const std::uint32_t to = add_node(BqrNode(tree_.nodes[at]));
     keep(at, static_cast<std::uint16_t>(~half));
     keep(to, half);
     const std::uint32_t above = tree_.nodes[at].parent, lane = lane_of(tree_.nodes[above], at);
@@ -214,28 +223,78 @@ class Insertion {
   SphereD ball_;
 };
 
+void leave(BqrNode& node, std::uint32_t lane) {
+  for (std::uint16_t* bits : {&node.lanes, &node.blocks, &node.whole}) *bits &= static_cast<std::uint16_t>(~bit(lane));
+}
+
+/// The lane above a node from which something went. Its ball still holds what is left.
+void shrink(BqrNode& above, std::uint32_t lane, const BqrNode& below) {
+  const BoxD all = box_of(below), old = lane_box(above, lane);
+  set_box(above, lane, {glm::max(all.min, old.min), glm::min(all.max, old.max)});
+  above.whole &= static_cast<std::uint16_t>(~bit(lane));
+  above.classes[lane] = all_classes(below);
+}
+
+/// All lanes above; a node in which nothing is left goes.
+void shrink_above(BqrTree& tree, std::uint32_t at) {
+  for (std::uint32_t parent = 0; at != tree.root; at = parent) {
+    parent = tree.nodes[at].parent;
+    const std::uint32_t lane = lane_of(tree.nodes[parent], at);
+    if (tree.nodes[at].lanes != 0) {
+      shrink(tree.nodes[parent], lane, tree.nodes[at]);
+      continue;
+    }
+    leave(tree.nodes[parent], lane);
+    tree.spare.push_back(at);
+  }
+}
+
+void need_classes(BqrTree& tree) {
+  if (tree.classes.empty()) tree.classes.assign(tree.objects() + kPacket, kAllClasses);
+}
+
 /// Room at the end of all that is per object; the row where the packets begin.
 std::uint32_t append_room(BqrTree& tree, std::uint32_t count, bool classes) {
   const std::size_t packets = tree.packets.size();
   tree.packets.resize(packets + (rows_of(count) + kPacket - 1) / kPacket);
-  if (classes && tree.classes.empty()) tree.classes.assign(tree.objects() + kPacket, kAllClasses);
+  if (classes) need_classes(tree);
   tree.object_order.resize(tree.objects() + count);
   if (!tree.classes.empty()) tree.classes.resize(tree.objects() + kPacket);
   return static_cast<std::uint32_t>(packets * kPacket);
 }
 
-void put(BqrTree& tree, std::uint32_t block, const BlockVolume& volume, const NewObjects& objects) {
+Room new_room(BqrTree& tree, const NewObjects& objects) {
   const std::uint32_t first = tree.objects(), count = static_cast<std::uint32_t>(objects.boxes.size());
-  if (tree.nodes.empty()) tree.origin = glm::round(center(volume.box));
   const std::uint32_t row = append_room(tree, count, !objects.classes.empty());
+  std::iota(tree.object_order.begin() + first, tree.object_order.end(), first);
+  return {first, count, row};
+}
+
+void clear_rows(BqrTree& tree, const Room& room) {
+  for (std::uint32_t row = room.row; row < room.row + rows_of(room.count); ++row)
+    for (auto& column : tree.packets[row / kPacket].box) column[row % kPacket] = 0;
+}
+
+/// The rows of the room's objects, rising.
+std::vector<std::uint32_t> rows_in(const BqrTree& tree, const Room& room) {
+  const auto first = tree.object_order.begin() + room.first;
+  std::vector<std::uint32_t> rows(first, first + room.count);
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
+void put(BqrTree& tree, std::uint32_t block, const BlockVolume& volume, const NewObjects& objects, const Room& room) {
+  const std::uint32_t first = room.first, count = room.count;
+  const std::vector<std::uint32_t> rows = rows_in(tree, room);
+  if (tree.nodes.empty()) tree.origin = glm::round(center(volume.box));
   tree.block_objects[block] = {first, first + count};
   Insertion insertion(tree, volume);
-  insertion.place(block, row);
+  insertion.place(block, room.row);
   std::vector<ClassMask> all_of_all;
   if (objects.classes.empty()) all_of_all.assign(count, kAllClasses);
   pack_objects(tree, block, {{}, objects.boxes, objects.classes.empty() ? all_of_all : objects.classes}, 0, volume,
                ObjectOrder::z_curve);
-  for (std::uint32_t i = first; i < first + count; ++i) tree.object_order[i] += first;
+  for (std::uint32_t i = first; i < first + count; ++i) tree.object_order[i] = rows[tree.object_order[i]];
   insertion.widen(block, block_classes(tree, block, volume.classes));
 }
 
@@ -253,32 +312,37 @@ std::uint32_t insert_block(BqrTree& tree, const BlockVolume& volume, const NewOb
   tree.block_objects.emplace_back();
   tree.place.push_back(kNowhere);
   tree.order.push_back(block);
-  put(tree, block, volume, objects);
+  put(tree, block, volume, objects, new_room(tree, objects));
   return block;
 }
 
-void remove_block(BqrTree& tree, std::uint32_t block) {
+Room remove_block(BqrTree& tree, std::uint32_t block) {
   assert(block < tree.blocks());
-  if (tree.place[block] == kNowhere) return;
-  std::uint32_t at = tree.place[block] / kLanes;
-  const auto others = static_cast<std::uint16_t>(~bit(tree.place[block] % kLanes));
-  BqrNode& node = tree.nodes[at];
-  node.lanes &= others;
-  node.blocks &= others;
-  node.whole &= others;
-  tree.block_objects[block].last = tree.block_objects[block].first;
+  if (tree.place[block] == kNowhere) return {};
+  const std::uint32_t at = tree.place[block] / kLanes, lane = tree.place[block] % kLanes;
+  const ObjectRun run = tree.block_objects[block];
+  const Room room{run.first, run.last - run.first, tree.nodes[at].child[lane]};
+  leave(tree.nodes[at], lane);
+  tree.block_objects[block].last = run.first;
   tree.place[block] = kNowhere;
-  for (; at != tree.root; at = tree.nodes[at].parent) {
-    BqrNode& above = tree.nodes[tree.nodes[at].parent];
-    above.whole &= static_cast<std::uint16_t>(~bit(lane_of(above, at)));
-  }
+  shrink_above(tree, at);
+  return room;
 }
 
 void change_block(BqrTree& tree, std::uint32_t block, const BlockVolume& volume, const NewObjects& objects) {
   assert(block < tree.blocks());
   refuse_bad(tree, block, volume, objects);
   remove_block(tree, block);
-  put(tree, block, volume, objects);
+  put(tree, block, volume, objects, new_room(tree, objects));
+}
+
+void change_block(BqrTree& tree, std::uint32_t block, const BlockVolume& volume, const NewObjects& objects,
+                  const Room& room) {
+  assert(tree.place.at(block) == kNowhere && objects.boxes.size() == room.count);
+  refuse_bad(tree, block, volume, objects);
+  if (!objects.classes.empty()) need_classes(tree);
+  clear_rows(tree, room);
+  put(tree, block, volume, objects, room);
 }
 
 }  // namespace manzana::culling

@@ -93,6 +93,7 @@ struct BqrTree {
   std::vector<std::uint32_t> place;         ///< of a block: node * 16 + lane
   std::vector<std::uint32_t> order;         ///< order[block] = index in the builder's input
   std::vector<std::uint32_t> object_order;  ///< object_order[object] = row of the builder's input
+  std::vector<std::uint32_t> spare;         ///< nodes that edits left empty, for the next that need one
   std::uint32_t blocks() const { return static_cast<std::uint32_t>(block_objects.size()); }
   std::uint32_t objects() const { return static_cast<std::uint32_t>(object_order.size()); }
 };

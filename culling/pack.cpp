@@ -112,9 +112,14 @@ void set_volumes(BqrNode& node, std::uint32_t lane, const BoxD& box, const Spher
   const Vec3d at = glm::clamp(glm::round((ball.center - l.corner) / l.step), 0.0, kLatticeEnd);
   for (int k = 0; k < 3; ++k) node.sphere[static_cast<std::size_t>(k)][lane] = static_cast<std::uint16_t>(at[k]);
   node.sphere[3][lane] = lattice_radius(ball.radius, l.step);
+  set_box(node, lane, box);
+  if (!encloses(ball, box)) node.balls |= static_cast<std::uint16_t>(1U << lane);
+}
+
+void set_box(BqrNode& node, std::uint32_t lane, const BoxD& box) {
+  const Lattice l = lattice_of(node);
   const Reaches r = reaches_of(box, l.corner, l.far_corner(), 1 / l.step);
   for (std::size_t k = 0; k < kColumns; ++k) node.box[k][lane] = r[k];
-  if (!encloses(ball, box)) node.balls |= static_cast<std::uint16_t>(1U << lane);
 }
 
 void leave_out_wide_balls(BqrNode& node) {

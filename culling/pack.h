@@ -20,6 +20,9 @@ Lattice lattice_of(const BqrNode& node);
 /// within it, what reaches beyond is cut off.
 void set_volumes(BqrNode& node, std::uint32_t lane, const BoxD& box, const SphereD& ball);
 
+/// The box alone: what is in the lane has not grown.
+void set_box(BqrNode& node, std::uint32_t lane, const BoxD& box);
+
 /// Leaves out the spheres that cut little off the corners of their boxes: what they tell does not pay for the asking.
 void leave_out_wide_balls(BqrNode& node);
 

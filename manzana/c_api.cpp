@@ -4,9 +4,13 @@
 
 #include "manzana/manzana.h"
 #include "manzana/view.h"
+#include "scenegraph/import/model_file.h"
 
 struct manzana_model {
   std::shared_ptr<const manzana::Model> model;
+};
+struct manzana_nodes {
+  std::shared_ptr<manzana::Nodes> nodes;
 };
 struct manzana_view {
   manzana::View view;
@@ -46,6 +50,15 @@ LoadOptions options_of(const manzana_load_options* given) {
 Progress progress_of(manzana_progress progress, void* user) {
   if (progress == nullptr) return {};
   return [=](std::string_view stage, double fraction) { progress(user, std::string(stage).c_str(), fraction); };
+}
+
+/// 1, or 0 with a line.
+template <class F>
+int done(manzana_error* error, F&& f) noexcept {
+  return guarded(error, 0, [&] {
+    f();
+    return 1;
+  });
 }
 
 template <class Load>
@@ -142,6 +155,69 @@ int manzana_model_feature(const manzana_model* model, uint32_t id, manzana_featu
   return 1;
 }
 
+manzana_nodes* manzana_nodes_create(const manzana_model* model) { return new manzana_nodes{model->model->new_nodes()}; }
+
+void manzana_nodes_free(manzana_nodes* nodes) { delete nodes; }
+
+uint32_t manzana_nodes_add(manzana_nodes* nodes, uint32_t parent, const double placement[16], const char* name,
+                           manzana_error* error) {
+  return guarded(error, uint32_t{0}, [&] {
+    return nodes->nodes->add(
+        {.parent = parent, .placement = matrix_of(placement), .name = name != nullptr ? name : ""});
+  });
+}
+
+uint32_t manzana_nodes_add_model(manzana_nodes* nodes, const char* file, uint32_t parent, const double placement[16],
+                                 manzana_error* error) {
+  return guarded(error, uint32_t{0}, [&] {
+    return add_model(*nodes->nodes, read_model(file),
+                     {.parent = parent, .placement = matrix_of(placement), .name = file});
+  });
+}
+
+uint32_t manzana_nodes_copy(manzana_nodes* nodes, uint32_t id, uint32_t parent, const double placement[16],
+                            manzana_error* error) {
+  return guarded(error, uint32_t{0}, [&] { return add_copy(*nodes->nodes, id, parent, matrix_of(placement)); });
+}
+
+int manzana_nodes_move(manzana_nodes* nodes, uint32_t id, const double placement[16], manzana_error* error) {
+  return done(error, [&] { nodes->nodes->move(id, matrix_of(placement)); });
+}
+
+int manzana_nodes_hang(manzana_nodes* nodes, uint32_t id, uint32_t parent, manzana_error* error) {
+  return done(error, [&] { nodes->nodes->hang(id, parent); });
+}
+
+int manzana_nodes_show(manzana_nodes* nodes, uint32_t id, int32_t shown, manzana_error* error) {
+  return done(error, [&] { nodes->nodes->show(id, shown != 0); });
+}
+
+int manzana_nodes_paint(manzana_nodes* nodes, uint32_t id, int32_t colour, manzana_error* error) {
+  return done(error, [&] {
+    nodes->nodes->paint(id, colour < 0 ? std::nullopt : std::optional(static_cast<std::uint32_t>(colour)));
+  });
+}
+
+int manzana_nodes_remove(manzana_nodes* nodes, uint32_t id, manzana_error* error) {
+  return done(error, [&] { nodes->nodes->remove(id); });
+}
+
+int manzana_nodes_node(const manzana_nodes* nodes, uint32_t id, manzana_node* node) {
+  const Nodes& all = *nodes->nodes;
+  if (!all.contains(id)) return 0;
+  node->id = id;
+  node->parent = all.node(id).parent;
+  node->visible = all.visible(id) ? 1 : 0;
+  put(all.box(id).min, node->low);
+  put(all.box(id).max, node->high);
+  return 1;
+}
+
+void manzana_model_upright(const manzana_model* model, const double local[3], double turn, double placement[16]) {
+  const Mat4d m = upright(model->model->frame(), vector_of(local), glm::radians(turn));
+  std::copy_n(&m[0].x, 16, placement);
+}
+
 manzana_view_options manzana_view_defaults(void) {
   const ViewOptions options;
   return {options.gpu_bytes, options.upload_bytes_a_frame, nullptr, options.linear_framebuffer ? 1 : 0};
@@ -162,6 +238,10 @@ void manzana_view_show(manzana_view* view, const manzana_model* model) {
   view->view.show(model != nullptr ? model->model : nullptr);
 }
 
+void manzana_view_show_nodes(manzana_view* view, const manzana_model* model, const manzana_nodes* nodes) {
+  view->view.show(model != nullptr ? model->model : nullptr, nodes != nullptr ? nodes->nodes : nullptr);
+}
+
 void manzana_view_update(manzana_view* view, const manzana_camera* cameras, size_t count, double seconds,
                          manzana_update* update, manzana_seen* seen) {
   std::vector<HostCamera> eyes(count);
@@ -170,7 +250,7 @@ void manzana_view_update(manzana_view* view, const manzana_camera* cameras, size
   if (update != nullptr) *update = {now.bytes_to_upload, now.gpu_bytes, now.shown ? 1 : 0};
   for (std::size_t i = 0; seen != nullptr && i < count; ++i) {
     const Update::Seen& s = now.cameras[i];
-    seen[i] = {s.blocks, s.buildings, s.surfaces, s.trees, s.cars};
+    seen[i] = {s.blocks, s.buildings, s.surfaces, s.trees, s.cars, s.nodes};
   }
 }
 

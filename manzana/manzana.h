@@ -10,10 +10,10 @@
  *
  * Frames, units: a model's own frame, metres, x east, y north, z up at its anchor. Matrices are double, column by
  * column, as OpenGL has them: clip = projection * view * p. Angles are degrees. Strings are UTF-8. Threads:
- * manzana_view_show from any; all else of a view from one at a time. Models never change: any thread may read. GL is
- * called by render, pick, place and release, and what they find of its state they put back. Errors: what may fail
- * returns NULL or 0 and fills `error`, where that is not NULL. Nothing else fails. Lifetimes: who gets a pointer from
- * load or create frees it. A view keeps what it shows; its model may be freed. */
+ * manzana_view_show and manzana_view_show_nodes from any; all else of a view from one at a time. Models never change:
+ * any thread may read. GL is called by render, pick, place and release, and what they find of its state they put back.
+ * Errors: what may fail returns NULL or 0 and fills `error`, where that is not NULL. Nothing else fails. Lifetimes: who
+ * gets a pointer from load or create frees it. A view keeps what it shows; its model may be freed. */
 #ifndef MANZANA_H
 #define MANZANA_H
 
@@ -75,6 +75,43 @@ typedef struct manzana_feature {
 MANZANA_API uint32_t manzana_model_features(const manzana_model* model); /* numbered from 1 */
 MANZANA_API int manzana_model_feature(const manzana_model* model, uint32_t id, manzana_feature* feature);
 
+/* ---- nodes: what a host puts into a city ------------------------------------------------------------------------- */
+
+/* Planned buildings and whatever else stands or moves. They hang in trees: where one stands, whether it shows and its
+ * colour hold for all below. A layer is a node without a mesh. A node's number is never given twice and no feature has
+ * it; 0 is none. Placements are matrices in the parent's frame, without one local: affine, column by column. Changed by
+ * the thread that updates, between frames; the host repaints. What fails changes nothing. */
+typedef struct manzana_nodes manzana_nodes;
+MANZANA_API manzana_nodes* manzana_nodes_create(const manzana_model* model);
+MANZANA_API void manzana_nodes_free(manzana_nodes* nodes); /* views keep what they show */
+
+/* A group or layer; name: may be NULL. */
+MANZANA_API uint32_t manzana_nodes_add(manzana_nodes* nodes, uint32_t parent, const double placement[16],
+                                       const char* name, manzana_error* error);
+/* Of a glTF file (.gltf, .glb), with its hierarchy below the new node. */
+MANZANA_API uint32_t manzana_nodes_add_model(manzana_nodes* nodes, const char* file, uint32_t parent,
+                                             const double placement[16], manzana_error* error);
+/* A second one of it and all below, with the same meshes. */
+MANZANA_API uint32_t manzana_nodes_copy(manzana_nodes* nodes, uint32_t id, uint32_t parent, const double placement[16],
+                                        manzana_error* error);
+MANZANA_API int manzana_nodes_move(manzana_nodes* nodes, uint32_t id, const double placement[16], manzana_error* error);
+MANZANA_API int manzana_nodes_hang(manzana_nodes* nodes, uint32_t id, uint32_t parent, manzana_error* error);
+MANZANA_API int manzana_nodes_show(manzana_nodes* nodes, uint32_t id, int32_t shown, manzana_error* error);
+/* 0xRRGGBB; -1: its own colours. */
+MANZANA_API int manzana_nodes_paint(manzana_nodes* nodes, uint32_t id, int32_t colour, manzana_error* error);
+MANZANA_API int manzana_nodes_remove(manzana_nodes* nodes, uint32_t id, manzana_error* error); /* and all below */
+
+typedef struct manzana_node {
+  uint32_t id, parent;
+  int32_t visible;        /* it shows, and all above it */
+  double low[3], high[3]; /* of it and all below, local; low > high without a mesh */
+} manzana_node;
+/* 0: there is none of that number. */
+MANZANA_API int manzana_nodes_node(const manzana_nodes* nodes, uint32_t id, manzana_node* node);
+/* A placement upright on the ground at a local place, turned from north to east, degrees. */
+MANZANA_API void manzana_model_upright(const manzana_model* model, const double local[3], double turn,
+                                       double placement[16]);
+
 /* ---- views ------------------------------------------------------------------------------------------------------ */
 
 typedef struct manzana_host {
@@ -99,6 +136,8 @@ MANZANA_API void manzana_view_free(manzana_view* view);
 
 /* NULL: nothing. */
 MANZANA_API void manzana_view_show(manzana_view* view, const manzana_model* model);
+/* With what the host has put into it; a model that is shown already is not brought anew. */
+MANZANA_API void manzana_view_show_nodes(manzana_view* view, const manzana_model* model, const manzana_nodes* nodes);
 
 enum { MANZANA_DEPTH_MINUS_ONE_TO_ONE = 0, MANZANA_DEPTH_ZERO_TO_ONE = 1, MANZANA_DEPTH_REVERSED = 2 };
 typedef struct manzana_camera {
@@ -108,7 +147,7 @@ typedef struct manzana_camera {
 } manzana_camera;
 
 typedef struct manzana_seen {
-  uint64_t blocks, buildings, surfaces, trees, cars;
+  uint64_t blocks, buildings, surfaces, trees, cars, nodes;
 } manzana_seen;
 
 typedef struct manzana_update {
@@ -121,7 +160,7 @@ typedef struct manzana_update {
 MANZANA_API void manzana_view_update(manzana_view* view, const manzana_camera* cameras, size_t count, double seconds,
                                      manzana_update* update, manzana_seen* seen);
 MANZANA_API int manzana_view_render(manzana_view* view, size_t camera, manzana_error* error);
-/* width * height numbers of features, 0 for none; rows from the bottom, pixels of the viewport. */
+/* width * height numbers of features and nodes, 0 for none; rows from the bottom, pixels of the viewport. */
 MANZANA_API int manzana_view_pick(manzana_view* view, size_t camera, int32_t x, int32_t y, int32_t width,
                                   int32_t height, uint32_t* ids, manzana_error* error);
 

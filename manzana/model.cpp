@@ -64,6 +64,8 @@ std::shared_ptr<const Model> Model::load(std::span<const char> bytes, const std:
   });
 }
 
+std::shared_ptr<Nodes> Model::new_nodes() const { return std::make_shared<Nodes>(scene()); }
+
 Mat4d Model::local_to_ecef() const {
   const GeoPoint& anchor = frame().anchor();
   std::vector<double> axes(9);

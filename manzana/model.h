@@ -16,6 +16,7 @@
 #include "foliage/prepared_plant.h"
 #include "scenegraph/draw/renderer.h"
 #include "scenegraph/import/import.h"
+#include "scenegraph/nodes.h"
 
 namespace manzana {
 
@@ -58,6 +59,9 @@ class Model {
   FeatureId features() const { return imported_.scene.tree.objects(); }
   /// 1 to features(); throws std::out_of_range.
   Feature feature(FeatureId id) const;
+
+  /// For what a host puts into it; as many as one likes.
+  std::shared_ptr<Nodes> new_nodes() const;
 
   const std::shared_ptr<const draw::PreparedCity>& prepared() const { return prepared_; }
 

@@ -21,11 +21,19 @@ struct Eye {
   HostCamera host;
   draw::Camera camera;
   std::unique_ptr<VisibleSets> sets;
+  std::vector<SeenNode> nodes;
+};
+
+/// What a host asks for.
+struct Shown {
+  std::shared_ptr<const Model> model;
+  std::shared_ptr<const Nodes> nodes;
 };
 
 /// A model on its way to the device, or there.
 struct Resident {
   std::shared_ptr<const Model> model;
+  std::shared_ptr<const Nodes> nodes;
   RendererPtr renderer;
   std::size_t left = 0;  ///< bytes to upload
 };
@@ -58,8 +66,12 @@ std::uint64_t blocks_in(std::span<const culling::LeafRun> runs) {
 }
 
 Update::Seen count_seen(const Scene& scene, const VisibleSets& sets) {
-  return {blocks_in(sets.blocks()), count(scene.buildings.table, sets.objects()),
-          count(scene.surfaces.table, sets.objects()), count(scene.trees.table, sets.objects()), sets.cars.size()};
+  return {blocks_in(sets.blocks()),
+          count(scene.buildings.table, sets.objects()),
+          count(scene.surfaces.table, sets.objects()),
+          count(scene.trees.table, sets.objects()),
+          sets.cars.size(),
+          0};
 }
 
 draw::DrawOptions over_a_host() {
@@ -77,7 +89,7 @@ struct View::State {
   draw::DrawOptions drawing = over_a_host();
   std::mutex mutex;  ///< of the two below
   bool asked = false;
-  std::shared_ptr<const Model> wanted;
+  Shown wanted;
 
   Resident shown, coming;
   std::vector<RendererPtr> gone;  ///< to be freed with the context current
@@ -109,8 +121,14 @@ void View::State::take_wanted() {
   if (!asked) return;
   asked = false;
   drop(coming);
-  if (!wanted) drop(shown);
-  coming.model = std::move(wanted);
+  if (!wanted.model) drop(shown);
+  if (wanted.model && wanted.model == shown.model && shown.renderer) {  // it is there already
+    shown.nodes = std::move(wanted.nodes);
+    wanted = {};
+    return;
+  }
+  coming.model = std::move(wanted.model);
+  coming.nodes = std::move(wanted.nodes);
 }
 
 RendererPtr View::State::make_renderer(const Model& model) const {
@@ -150,7 +168,13 @@ void View::State::see(Eye& eye, const HostCamera& camera, double seconds) {
   eye.host = camera;
   eye.camera = draw::camera_of(camera.projection, camera.view, camera.depth, camera.viewport.height);
   if (!eye.sets) eye.sets = std::make_unique<VisibleSets>(scene);
-  find_visible(scene, eye.camera.frustum, Structure::bqr, *eye.sets);
+  eye.nodes.clear();
+  if (shown.nodes) {
+    find_visible(*shown.nodes, eye.camera.frustum, *eye.sets);
+    shown.nodes->find(eye.sets->nodes(), eye.nodes);
+  } else {
+    find_visible(scene, eye.camera.frustum, Structure::bqr, *eye.sets);
+  }
   find_cars(scene, ticks(seconds), *eye.sets);
 }
 
@@ -164,10 +188,11 @@ void View::State::account() {
 
 void View::State::forget() noexcept {
   const std::shared_ptr<const Model> model = shown.model;
+  const std::shared_ptr<const Nodes> nodes = shown.nodes;
   gone.clear();
   shown.renderer.reset();
   coming.renderer.reset();
-  if (!coming.model) coming.model = model;  // it comes back when it is drawn again
+  if (!coming.model) coming.model = model, coming.nodes = nodes;  // it comes back when it is drawn again
   coming.left = 0;
   shown = {};
   eyes.clear();
@@ -186,10 +211,10 @@ View::~View() {
   context_lost();
 }
 
-void View::show(std::shared_ptr<const Model> model) {
+void View::show(std::shared_ptr<const Model> model, std::shared_ptr<const Nodes> nodes) {
   {
     const std::scoped_lock lock(state_->mutex);
-    state_->wanted = std::move(model);
+    state_->wanted = {std::move(model), std::move(nodes)};
     state_->asked = true;
   }
   state_->repaint();
@@ -206,6 +231,7 @@ const Update& View::update(std::span<const HostCamera> cameras, double seconds) 
     for (std::size_t i = 0; i < cameras.size(); ++i) {
       s.see(s.eyes[i], cameras[i], seconds);
       s.update.cameras[i] = count_seen(s.shown.model->scene(), *s.eyes[i].sets);
+      s.update.cameras[i].nodes = s.eyes[i].nodes.size();
     }
   }
   s.account();
@@ -224,7 +250,8 @@ void View::render(std::size_t i) {
   draw::Renderer& renderer = *s.shown.renderer;
   const draw::PixelRect& viewport = eye.host.viewport;
   renderer.resize({viewport.width, viewport.height}, i);
-  renderer.draw(s.shown.model->scene(), *eye.sets, eye.camera, s.drawing);
+  if (renderer.bring(eye.nodes, s.options.upload_bytes_a_frame) > 0) s.repaint();
+  renderer.draw(s.shown.model->scene(), *eye.sets, eye.camera, s.drawing, eye.nodes);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, saved.framebuffer());
   draw::Overlay overlay{.viewport = viewport, .linear = s.options.linear_framebuffer};
   set_depth(overlay, eye.host, eye.camera);
@@ -240,7 +267,7 @@ void View::pick(std::size_t i, const draw::PixelRect& rect, std::span<FeatureId>
   gl::set_clean_state();
   const Eye& eye = s.eyes[i];
   s.shown.renderer->resize({eye.host.viewport.width, eye.host.viewport.height}, i);
-  const auto seen = s.shown.renderer->pick(s.shown.model->scene(), *eye.sets, eye.camera, rect);
+  const auto seen = s.shown.renderer->pick(s.shown.model->scene(), *eye.sets, eye.camera, rect, eye.nodes);
   std::copy(seen.begin(), seen.end(), ids.begin());
 }
 

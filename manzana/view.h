@@ -17,6 +17,7 @@
 #include "culling/host_camera.h"
 #include "manzana/model.h"
 #include "scenegraph/draw/renderer.h"
+#include "scenegraph/nodes.h"
 
 namespace manzana {
 
@@ -46,7 +47,7 @@ struct HostCamera {
 /// What the next pictures will show, and what is still missing.
 struct Update {
   struct Seen {
-    std::uint64_t blocks = 0, buildings = 0, surfaces = 0, trees = 0, cars = 0;
+    std::uint64_t blocks = 0, buildings = 0, surfaces = 0, trees = 0, cars = 0, nodes = 0;
   };
   std::vector<Seen> cameras;
   std::uint64_t bytes_to_upload = 0;  ///< 0: all is there
@@ -63,7 +64,9 @@ class View {
   View& operator=(const View&) = delete;
 
   /// The city to draw; nullptr: none. What was shown stays until the new one is on the device.
-  void show(std::shared_ptr<const Model> model);
+  /// `nodes`: what the host has put into it, made for model->scene(). It may change them between frames, on the thread
+  /// that updates, and asks for a repaint itself. Their meshes go up as they are seen.
+  void show(std::shared_ptr<const Model> model, std::shared_ptr<const Nodes> nodes = {});
 
   /// Finds what each camera sees, `seconds` after the start of the traffic. No GL, no allocation from the second time
   /// on.
@@ -72,7 +75,8 @@ class View {
   /// Draws what camera `i` of the last update sees into the bound framebuffer, over what is there, by its depth.
   void render(std::size_t i);
 
-  /// What stands in each pixel of a rectangle of camera i's viewport, rows from the bottom, into the host's memory.
+  /// What stands in each pixel of a rectangle of camera i's viewport, rows from the bottom, into the host's memory:
+  /// features, and nodes by their NodeId.
   void pick(std::size_t i, const draw::PixelRect& rect, std::span<FeatureId> ids);
 
   /// Where that is which stands in a pixel of camera i's viewport, in L, by the depth that was last rendered there.

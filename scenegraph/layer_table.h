@@ -16,8 +16,8 @@
 namespace manzana {
 
 /// Classes in the tree: a query can ask for some of them only. An object is of one; a block with half-streets has kCar
-/// among its own.
-enum ObjectClass : culling::ClassMask { kBuilding = 1, kSurface = 2, kTree = 4, kCar = 8 };
+/// among its own; a host's node is a kNode (scenegraph/nodes.h).
+enum ObjectClass : culling::ClassMask { kBuilding = 1, kSurface = 2, kTree = 4, kCar = 8, kNode = 16 };
 
 /// Which of the tree's objects are a layer's.
 struct LayerTable {

@@ -8,6 +8,15 @@ namespace manzana {
 
 using culling::LeafRun;
 
+namespace {
+
+void find_in(const culling::BqrTree& tree, const culling::Planes& planes, VisibleSets& sets) {
+  cull(tree, planes, sets.answer, {.blocks = true});
+  sets.city_runs = ordered(sets.answer).size();
+}
+
+}  // namespace
+
 VisibleSets::VisibleSets(const Scene& scene) : answer(scene.tree) { cars.reserve(scene.traffic.cars()); }
 
 void find_visible(const Scene& scene, const culling::FrustumD& frustum, Structure structure, VisibleSets& sets) {
@@ -15,8 +24,20 @@ void find_visible(const Scene& scene, const culling::FrustumD& frustum, Structur
   // Without planes everything is inside.
   const culling::Planes planes =
       structure == Structure::none ? culling::Planes{} : make_planes(scene.tree, sets.frustum);
-  cull(scene.tree, planes, sets.answer, {.blocks = true});
-  ordered(sets.answer);
+  find_in(scene.tree, planes, sets);
+  sets.with_nodes = false;
+}
+
+void find_visible(const Nodes& nodes, const culling::FrustumD& frustum, VisibleSets& sets) {
+  sets.frustum = frustum;
+  find_in(nodes.tree(), make_planes(nodes.tree(), frustum), sets);
+  const auto of_city = [&](const culling::ObjectRun& run) { return run.first < nodes.first_object(); };
+  const auto runs = sets.answer.objects();
+  sets.city_runs = static_cast<std::size_t>(std::partition_point(runs.begin(), runs.end(), of_city) - runs.begin());
+  sets.with_nodes = true;
+  sets.city_blocks.clear();
+  for (const LeafRun& run : sets.answer.blocks())
+    if (run.first < nodes.city_blocks()) sets.city_blocks.push_back(run);
 }
 
 void find_visible(const Scene& scene, const culling::View& view, Structure structure, VisibleSets& sets) {

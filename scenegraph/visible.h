@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "culling/cull.h"
+#include "scenegraph/nodes.h"
 #include "scenegraph/scene.h"
 
 namespace manzana {
@@ -19,17 +20,26 @@ enum class Structure : std::uint8_t { bqr, none };
 struct VisibleSets {
   explicit VisibleSets(const Scene& scene);
   /// Of the tree, rising, disjoint; LayerTable::rows makes a layer's rows of them.
-  std::span<const culling::ObjectRun> objects() const { return answer.objects(); }
+  std::span<const culling::ObjectRun> objects() const { return answer.objects().first(city_runs); }
   /// In no order, disjoint.
-  std::span<const culling::LeafRun> blocks() const { return answer.blocks(); }
+  std::span<const culling::LeafRun> blocks() const {
+    return with_nodes ? std::span<const culling::LeafRun>(city_blocks) : answer.blocks();
+  }
+  /// Of what a host has put there: Nodes::find.
+  std::span<const culling::ObjectRun> nodes() const { return answer.objects().subspan(city_runs); }
 
   culling::Answer answer;
-  culling::FrustumD frustum;  ///< of the last view
+  std::size_t city_runs = 0;                  ///< of the answer; what follows are nodes
+  bool with_nodes = false;                    ///< the answer is about a tree with nodes
+  std::vector<culling::LeafRun> city_blocks;  ///< of it those that are the city's
+  culling::FrustumD frustum;                  ///< of the last view
   std::vector<CarState> cars;
 };
 
 void find_visible(const Scene& scene, const culling::FrustumD& frustum, Structure structure, VisibleSets& sets);
 void find_visible(const Scene& scene, const culling::View& view, Structure structure, VisibleSets& sets);
+/// In the city with what a host has put there.
+void find_visible(const Nodes& nodes, const culling::FrustumD& frustum, VisibleSets& sets);
 
 /// The cars on half-streets of the visible blocks; in blocks that cross the frustum, each is tested with a ball of
 /// kCarRadius against the planes that the block may cross. Call after find_visible. What it costs follows the

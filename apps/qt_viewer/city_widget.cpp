@@ -8,6 +8,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "scenegraph/import/model_file.h"
+
 namespace manzana::qt {
 namespace {
 
@@ -58,6 +60,8 @@ void CityWidget::open(const std::string& city) {
 void CityWidget::took(std::shared_ptr<const Model> model, const QString& error) {
   if (model) {
     model_ = std::move(model);
+    nodes_.reset();
+    added_ = 0;
     const culling::BoxD& box = model_->scene().bounds;
     const Vec3d middle = (box.min + box.max) / 2.0;
     target_ = {middle.x, middle.y, 0};
@@ -109,6 +113,26 @@ void CityWidget::paintGL() {
 draw::PixelRect CityWidget::pixel_at(const QPoint& at) const {
   const double ratio = devicePixelRatioF();
   return {static_cast<int>(at.x() * ratio), static_cast<int>((height() - 1 - at.y()) * ratio), 1, 1};
+}
+
+NodeId CityWidget::add(const std::string& gltf, const QPoint& at) {
+  const auto place = place_at(at);
+  if (!place) return 0;
+  try {
+    const ModelFile file = read_model(gltf);
+    if (!nodes_) {
+      nodes_ = model_->new_nodes();
+      added_ = nodes_->add({.name = "Added"});
+      view_.show(model_, nodes_);
+    }
+    const NodeId id =
+        add_model(*nodes_, file, {.parent = added_, .placement = upright(model_->frame(), *place), .name = gltf});
+    update();
+    return id;
+  } catch (const std::exception& e) {
+    told(QString::fromUtf8(e.what()));
+    return 0;
+  }
 }
 
 FeatureId CityWidget::feature_at(const QPoint& at) {

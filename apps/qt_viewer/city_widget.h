@@ -24,6 +24,11 @@ class CityWidget : public QOpenGLWidget {
   bool shown() const { return update_.shown; }
   draw::DrawOptions& drawing() { return view_.drawing(); }  ///< update() afterwards
 
+  /// A building as glTF onto what stands in a pixel of the widget; told() why not. 0: there is no place for it.
+  NodeId add(const std::string& gltf, const QPoint& at);
+  Nodes* nodes() { return nodes_.get(); }  ///< nullptr: nothing was added; update() after changes
+  NodeId added() const { return added_; }  ///< the layer of all that was added
+
   /// What stands in a pixel of the widget, from its upper left corner; 0: nothing.
   FeatureId feature_at(const QPoint& at);
   /// Where: in the model's frame.
@@ -51,6 +56,8 @@ class CityWidget : public QOpenGLWidget {
   View view_;
   Update update_;
   std::shared_ptr<const Model> model_;
+  std::shared_ptr<Nodes> nodes_;
+  NodeId added_ = 0;
   std::thread loader_;
   Vec3d target_{0, 0, 0};
   double yaw_ = 0, pitch_ = -0.6, distance_ = 500;  ///< radians, metres

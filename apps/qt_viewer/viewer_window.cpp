@@ -30,7 +30,17 @@ QString name_of(ObjectClass kind) {
   return kind == kTree ? "tree" : "street or ground";
 }
 
-std::vector<std::pair<QString, QString>> rows_of(const Feature& f) {
+using Rows = std::vector<std::pair<QString, QString>>;
+
+Rows rows_of(const Nodes& nodes, NodeId id) {
+  QString name;
+  for (NodeId at = id; at != 0; at = nodes.node(at).parent)
+    if (!nodes.node(at).name.empty())
+      name = QString::fromStdString(nodes.node(at).name) + (name.isEmpty() ? "" : " / ") + name;
+  return {{"kind", "added"}, {"number", QString::number(id)}, {"name", name}};
+}
+
+Rows rows_of(const Feature& f) {
   const Vec3d size = f.box.max - f.box.min;
   const auto metres = [](double m) { return QString("%1 m").arg(m, 0, 'f', 1); };
   return {{"kind", name_of(f.kind)},      {"number", QString::number(f.id)},
@@ -84,6 +94,8 @@ void ViewerWindow::make_layers() {
   connect(layers_, &QTreeWidget::itemChanged, this, [this, all](QTreeWidgetItem* item, int) {
     if (const int row = all->indexOfChild(item); row >= 0)
       city_->drawing().layers.*kLayers[row].shown = item->checkState(0) == Qt::Checked;
+    if (item == added_ && city_->nodes() != nullptr)
+      city_->nodes()->show(city_->added(), item->checkState(0) == Qt::Checked);
     city_->update();
   });
   auto* dock = new QDockWidget("Layers", this);
@@ -110,6 +122,10 @@ void ViewerWindow::make_menu() {
     if (!name.isEmpty()) open(name);
   });
   file->addAction("Built-in &town", this, [this] { open("builtin:town"); });
+  file->addAction("&Add model...", this, [this] {
+    const QString name = QFileDialog::getOpenFileName(this, "A building", {}, "glTF (*.glb *.gltf)");
+    if (!name.isEmpty() && city_->model() != nullptr) add(name, city_->rect().center());
+  });
   file->addAction("Save &picture...", QKeySequence::Save, this, [this] {
     const QString name = QFileDialog::getSaveFileName(this, "A picture", "city.png", "PNG (*.png)");
     if (!name.isEmpty() && !save(name)) statusBar()->showMessage(name + ": cannot be written");
@@ -119,12 +135,20 @@ void ViewerWindow::make_menu() {
 
 void ViewerWindow::open(const QString& file) { city_->open(file.toStdString()); }
 
+void ViewerWindow::add(const QString& gltf, const QPoint& at) {
+  if (city_->add(gltf.toStdString(), at) == 0) return;
+  if (added_ == nullptr) added_ = new QTreeWidgetItem(layers_, {"Added"});
+  added_->setCheckState(0, Qt::Checked);
+}
+
 bool ViewerWindow::save(const QString& file) { return city_->grabFramebuffer().save(file); }
 
 void ViewerWindow::identify(const QPoint& at) {
   const FeatureId id = city_->feature_at(at);
-  const auto rows =
-      id == 0 ? std::vector<std::pair<QString, QString>>{{"nothing", ""}} : rows_of(city_->model()->feature(id));
+  const bool node = city_->nodes() != nullptr && city_->nodes()->contains(id);
+  const Rows rows = id == 0 ? Rows{{"nothing", ""}}
+                    : node  ? rows_of(*city_->nodes(), id)
+                            : rows_of(city_->model()->feature(id));
   attributes_->setRowCount(static_cast<int>(rows.size()));
   for (int row = 0; row < attributes_->rowCount(); ++row) {
     attributes_->setItem(row, 0, new QTableWidgetItem(rows[static_cast<std::size_t>(row)].first));
@@ -145,7 +169,12 @@ void ViewerWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void ViewerWindow::dropEvent(QDropEvent* event) {
   const auto urls = event->mimeData()->urls();
-  if (!urls.isEmpty()) open(urls.front().toLocalFile());
+  if (urls.isEmpty()) return;
+  const QString file = urls.front().toLocalFile();
+  if (city_->model() != nullptr && (file.endsWith(".glb") || file.endsWith(".gltf")))
+    add(file, city_->mapFrom(this, event->position().toPoint()));
+  else
+    open(file);
 }
 
 }  // namespace manzana::qt

@@ -7,6 +7,7 @@
 class QLabel;
 class QTableWidget;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace manzana::qt {
 
@@ -20,6 +21,8 @@ class ViewerWindow : public QMainWindow {
   ViewerWindow();
   CityWidget& city() { return *city_; }
   void open(const QString& file);
+  /// A building as glTF, at a pixel of the city.
+  void add(const QString& gltf, const QPoint& at);
   /// The window as it is, to a file. False when that cannot be written.
   bool save(const QString& file);
   void identify(const QPoint& at);
@@ -38,6 +41,7 @@ class ViewerWindow : public QMainWindow {
 
   CityWidget* city_;
   QTreeWidget* layers_ = nullptr;
+  QTreeWidgetItem* added_ = nullptr;  ///< the layer of added models, once there is one
   QTableWidget* attributes_ = nullptr;
   QLabel* where_ = nullptr;
 };

@@ -67,9 +67,11 @@ bool singular(const Mat4d& m) {
 struct Placed {
   int node;
   Mat4d transform;
+  int parent = -1;  ///< among those that are found
+  Mat4d placement{1};
 };
 
-/// Nodes with a mesh, and where they are. No recursion: files nest as deep as they like.
+/// Nodes, and where they are. No recursion: files nest as deep as they like.
 class Walk {
  public:
   explicit Walk(const tinygltf::Model& model) : model_(model), seen_(model.nodes.size(), false) {}
@@ -78,7 +80,7 @@ class Walk {
     // y up to z up: (x, y, z) -> (x, -z, y)
     Mat4d up(0);
     up[0][0] = 1, up[1][2] = 1, up[2][1] = -1, up[3][3] = 1;
-    for (const int root : roots()) todo_.push_back({root, up});
+    for (const int root : roots()) todo_.push_back({root, up, -1, {}});
     while (!todo_.empty()) {
       const Placed parent = todo_.back();
       todo_.pop_back();
@@ -111,14 +113,15 @@ class Walk {
     if (seen_[index]) fail(where + " is in a cycle, or has two parents");
     seen_[index] = true;
     const tinygltf::Node& node = model_.nodes[index];
-    const Mat4d transform = parent.transform * local_transform(node, where);
+    const Mat4d placement = local_transform(node, where), transform = parent.transform * placement;
     if (!finite(transform)) fail(where + ": its transform is not finite");
     if (singular(transform)) {
       mark_below(node);
       return;
     }
-    if (node.mesh >= 0) out_.push_back({parent.node, transform});
-    for (const int child : node.children) todo_.push_back({child, transform});
+    const int self = static_cast<int>(out_.size());
+    out_.push_back({parent.node, transform, parent.parent, placement});
+    for (const int child : node.children) todo_.push_back({child, transform, self, {}});
   }
 
   /// Of a node that is scaled to nothing the children are not drawn either; a cycle among them is harmless.
@@ -255,31 +258,62 @@ bool has_triangles(const tinygltf::Primitive& primitive) {
          primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
 }
 
+/// Of all parts so far.
+struct Sizes {
+  std::size_t vertices = 0, indices = 0;
+};
+
+std::vector<SourcePart> parts_of(const tinygltf::Model& model, int index, const Placed& placed, Sizes& sizes) {
+  const std::string where = "mesh " + std::to_string(index);
+  if (index < 0 || static_cast<std::size_t>(index) >= model.meshes.size()) fail("there is no " + where);
+  const tinygltf::Mesh& mesh = model.meshes[static_cast<std::size_t>(index)];
+  const PartReader reader(model, placed, where);
+  std::vector<SourcePart> parts;
+  for (const tinygltf::Primitive& primitive : mesh.primitives) {
+    if (!has_triangles(primitive)) continue;
+    SourcePart part = reader.read(primitive);
+    sizes.vertices += part.positions.size();
+    sizes.indices += part.indices.size();
+    if (sizes.vertices > kMaxSourceVertices || sizes.indices > kMaxSourceIndices)
+      fail("more triangles than a model may have");
+    part.name = mesh.name;
+    for (const tinygltf::Value* extras : {&primitive.extras, &mesh.extras})
+      if (!part.told) part.told = told_by_extras(*extras);
+    if (!part.indices.empty()) parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
 }  // namespace
 
 std::vector<SourcePart> gltf_triangles(const tinygltf::Model& model) {
   std::vector<SourcePart> parts;
-  std::size_t vertices = 0, indices = 0;
+  Sizes sizes;
   for (const Placed& placed : Walk(model).run()) {
     const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(placed.node)];
-    const auto mesh_index = static_cast<std::size_t>(node.mesh);
-    if (mesh_index >= model.meshes.size()) fail("there is no mesh " + std::to_string(mesh_index));
-    const tinygltf::Mesh& mesh = model.meshes[mesh_index];
-    const PartReader reader(model, placed, "mesh " + std::to_string(mesh_index));
-    for (const tinygltf::Primitive& primitive : mesh.primitives) {
-      if (!has_triangles(primitive)) continue;
-      SourcePart part = reader.read(primitive);
-      vertices += part.positions.size();
-      indices += part.indices.size();
-      if (vertices > kMaxSourceVertices || indices > kMaxSourceIndices) fail("more triangles than a plant may have");
-      part.name = mesh.name.empty() ? node.name : mesh.name;
-      for (const tinygltf::Value* extras : {&primitive.extras, &mesh.extras, &node.extras})
-        if (!part.told) part.told = told_by_extras(*extras);
-      if (!part.indices.empty()) parts.push_back(std::move(part));
+    if (node.mesh < 0) continue;
+    for (SourcePart& part : parts_of(model, node.mesh, placed, sizes)) {
+      if (part.name.empty()) part.name = node.name;
+      if (!part.told) part.told = told_by_extras(node.extras);
+      parts.push_back(std::move(part));
     }
   }
   if (parts.empty()) fail("no triangles in its scene");
   return parts;
+}
+
+std::vector<GltfNode> gltf_nodes(const tinygltf::Model& model) {
+  std::vector<GltfNode> nodes;
+  for (const Placed& placed : Walk(model).run()) {
+    const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(placed.node)];
+    nodes.push_back({placed.parent, node.name, placed.placement, node.mesh});
+  }
+  return nodes;
+}
+
+std::vector<SourcePart> gltf_mesh(const tinygltf::Model& model, int mesh) {
+  Sizes sizes;
+  return parts_of(model, mesh, {-1, Mat4d(1), -1, Mat4d(1)}, sizes);
 }
 
 }  // namespace manzana::foliage

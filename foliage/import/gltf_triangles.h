@@ -12,4 +12,17 @@ namespace manzana::foliage {
 /// nodes in a cycle or with two parents, too many triangles, none at all.
 std::vector<SourcePart> gltf_triangles(const tinygltf::Model& model);
 
+/// A node of that scene as the file has it.
+struct GltfNode {
+  int parent = -1;  ///< among those that are returned, before it
+  std::string name;
+  glm::dmat4 placement{1};  ///< in its parent's frame; y up
+  int mesh = -1;
+};
+/// All nodes, but those whose scale is 0 and what is below them. Throws as gltf_triangles does.
+std::vector<GltfNode> gltf_nodes(const tinygltf::Model& model);
+
+/// The triangles of a mesh in its own frame, a part for each primitive that has some. Throws likewise.
+std::vector<SourcePart> gltf_mesh(const tinygltf::Model& model, int mesh);
+
 }  // namespace manzana::foliage

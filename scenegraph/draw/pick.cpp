@@ -82,6 +82,15 @@ std::vector<Crown> crowns_of(const Scene& scene, std::span<const culling::Object
   return crowns;
 }
 
+void draw_node_ids(const Pickable& what, const Vec3d& eye) {
+  if (what.seen.empty()) return;
+  gl::StreamBuffer stream;
+  stream.begin(stream_bytes(what.seen));
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, stream.name());
+  draw_nodes(what.nodes, what.seen, eye, NodeExtra::number, stream);
+  stream.end();
+}
+
 void draw_tree_ids(const std::vector<Crown>& crowns) {
   if (crowns.empty()) return;
   constexpr GLsizei kVertices = 6 * 10 * 6;  // pick_tree.vert
@@ -127,7 +136,9 @@ Ids read(const PixelRect& rect) {
 }  // namespace
 
 PickPrograms::PickPrograms()
-    : meshes(make_pass("pick_mesh", shaders::pick_mesh_vert)), trees(make_pass("pick_tree", shaders::pick_tree_vert)) {}
+    : meshes(make_pass("pick_mesh", shaders::pick_mesh_vert)),
+      trees(make_pass("pick_tree", shaders::pick_tree_vert)),
+      nodes(make_pass("pick_node", shaders::pick_node_vert)) {}
 
 Ids pick_objects(const PickPrograms& programs, const Pickable& what, const Camera& camera, Size picture,
                  const PixelRect& rect) {
@@ -142,6 +153,8 @@ Ids pick_objects(const PickPrograms& programs, const Pickable& what, const Camer
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, blocks.name());
   draw_mesh_ids(what.buildings, runs);
   draw_mesh_ids(what.surfaces, runs);
+  use(programs.nodes, clip);
+  draw_node_ids(what, camera.eye);
   use(programs.trees, clip);
   draw_tree_ids(crowns_of(what.scene, runs, camera.eye));
   return read(rect);

@@ -1,6 +1,7 @@
 #pragma once
 /// What stands in a pixel: a pass of numbers, drawn only when somebody asks.
 #include "scenegraph/draw/city_layer.h"
+#include "scenegraph/draw/node_layer.h"
 #include "scenegraph/draw/renderer.h"
 
 namespace manzana::draw {
@@ -9,11 +10,13 @@ struct Pickable {
   const Scene& scene;
   const VisibleSets& sets;
   const CityLayer &buildings, &surfaces;
+  const NodeLayerGpu& nodes;
+  std::span<const SeenNode> seen;
 };
 
 struct PickPrograms {
   PickPrograms();
-  gl::Program meshes, trees;
+  gl::Program meshes, trees, nodes;
 };
 
 /// As Renderer::pick has it. A framebuffer of the rectangle's size is made and goes again.

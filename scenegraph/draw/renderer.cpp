@@ -12,6 +12,7 @@
 #include "scenegraph/draw/compositor.h"
 #include "scenegraph/draw/debug_volumes.h"
 #include "scenegraph/draw/frame_data.h"
+#include "scenegraph/draw/node_layer.h"
 #include "scenegraph/draw/pick.h"
 #include "scenegraph/draw/shadows.h"
 #include "scenegraph/draw/sky.h"
@@ -78,9 +79,10 @@ struct Renderer::State {
         car_shadows(make_shadow("shadow_car", shaders::shadow_car_vert)) {}
 
   std::size_t bytes_of_frame(const VisibleSets& sets) const;
+  void draw_host_nodes(std::span<const SeenNode> seen, const Vec3d& eye, FrameCounts& counts);
   void upload_frame(const VisibleSets& sets, const FrameData& frame);
   void draw_layers(const Scene& scene, const VisibleSets& sets, const Camera& camera, const DrawOptions& options,
-                   FrameCounts& counts);
+                   std::span<const SeenNode> nodes, FrameCounts& counts);
 
   std::shared_ptr<const PreparedCity> city;  ///< until it is uploaded
   gl::Uploads uploads;
@@ -94,6 +96,8 @@ struct Renderer::State {
   TreeLayerGpu trees;
   CarLayerGpu cars;
   gl::Program car_shadows;
+  NodeLayerGpu nodes;
+  std::optional<gl::Program> node_program;  ///< from the first node on
   Sky sky;
   DebugVolumes volumes;
   gl::StreamBuffer stream;
@@ -124,9 +128,17 @@ void Renderer::State::upload_frame(const VisibleSets& sets, const FrameData& fra
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, stream.name());
 }
 
+void Renderer::State::draw_host_nodes(std::span<const SeenNode> seen, const Vec3d& eye, FrameCounts& counts) {
+  counts.nodes = seen.size();
+  if (seen.empty()) return;
+  if (!node_program) node_program = make_node_program();
+  glUseProgram(node_program->name());
+  add(counts, draw_nodes(nodes, seen, eye, NodeExtra::paint, stream));
+}
+
 // What stands high hides what lies flat, and the sky shades only what is left.
 void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, const Camera& camera,
-                                  const DrawOptions& options, FrameCounts& counts) {
+                                  const DrawOptions& options, std::span<const SeenNode> seen, FrameCounts& counts) {
   const Layers& layers = options.layers;
   const foliage::Wind wind{Vec3(0.8, 0.6, 0) * static_cast<float>(options.wind), static_cast<float>(options.seconds)};
   glEnable(GL_CULL_FACE);
@@ -139,6 +151,7 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
     add(counts, draw_cars(cars, scene, sets.cars, camera.eye, stream));
   }
   glDisable(GL_CULL_FACE);
+  draw_host_nodes(seen, camera.eye, counts);
   if (layers.trees) {
     counts.trees = count(scene.trees.table, sets.objects());
     add(counts, draw_trees(trees, {static_cast<float>(focal_px(camera, target().height)), target().samples, wind}));
@@ -176,7 +189,7 @@ std::size_t Renderer::upload(std::size_t most_bytes) {
 
 std::size_t Renderer::device_bytes() const {
   const State& s = *state_;
-  std::size_t sum = s.buffer_bytes + s.stream.bytes();
+  std::size_t sum = s.buffer_bytes + s.stream.bytes() + s.nodes.device_bytes();
   for (const gl::Target& t : s.targets)
     sum += static_cast<std::size_t>(t.width) * static_cast<std::size_t>(t.height) * 8 *
            static_cast<std::size_t>(t.samples > 1 ? t.samples + 1 : 1);
@@ -198,7 +211,7 @@ void Renderer::resize(Size size, std::size_t screen) {
 }
 
 FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Camera& camera,
-                           const DrawOptions& options) {
+                           const DrawOptions& options, std::span<const SeenNode> nodes) {
   State& s = *state_;
   assert(scene.blocks.size() == s.rows.size());
   const FrameData frame = make_frame(scene.frame, camera, options, s.anchor);
@@ -209,7 +222,7 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
   count_cars(sets.cars, camera.eye, f_px * s.quality.car_detail, s.cars.selection);
 
   FrameCounts counts;
-  s.stream.begin(s.bytes_of_frame(sets));
+  s.stream.begin(s.bytes_of_frame(sets) + stream_bytes(nodes));
   gl::bind(s.target());
   set_depth_and_colour(camera);
   clear(s.target(), options.transparent ? Vec4(0) : frame.horizon);
@@ -221,7 +234,7 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
     counts.tree_error_px = s.trees.law == foliage::Law::full ? 0 : s.trees.error_at_1m * f_px;
     counts.tree_law = s.trees.law;
   }
-  s.draw_layers(scene, sets, camera, options, counts);
+  s.draw_layers(scene, sets, camera, options, nodes, counts);
   if (options.frozen != nullptr) draw_lines(s.volumes, volume_lines(scene.tree, *options.frozen, camera.eye));
   gl::resolve(s.target());
   s.stream.end();
@@ -252,11 +265,15 @@ double Renderer::depth_at(std::size_t screen, int x, int y) const {
 }
 
 std::vector<std::uint32_t> Renderer::pick(const Scene& scene, const VisibleSets& sets, const Camera& camera,
-                                          const PixelRect& rect) {
+                                          const PixelRect& rect, std::span<const SeenNode> nodes) {
   State& s = *state_;
   if (!s.picker) s.picker.emplace();
-  return pick_objects(*s.picker, {scene, sets, s.buildings, s.surfaces}, camera, {s.target().width, s.target().height},
-                      rect);
+  return pick_objects(*s.picker, {scene, sets, s.buildings, s.surfaces, s.nodes, nodes}, camera,
+                      {s.target().width, s.target().height}, rect);
+}
+
+std::size_t Renderer::bring(std::span<const SeenNode> nodes, std::size_t most_bytes) {
+  return state_->nodes.bring(nodes, most_bytes);
 }
 
 std::vector<unsigned char> Renderer::read_pixels() {

@@ -50,7 +50,7 @@ struct DrawOptions {
 
 struct FrameCounts {
   std::uint64_t triangles = 0;  ///< submitted; without trees, which the GPU chooses
-  std::uint64_t buildings = 0, surfaces = 0, trees = 0, cars = 0;
+  std::uint64_t buildings = 0, surfaces = 0, trees = 0, cars = 0, nodes = 0;
   std::uint64_t commands = 0;  ///< of multi-draws
   double tree_error_px = 0;    ///< that was tolerated in trees, after the budget and what memory has room for
   foliage::Law tree_law = foliage::Law::ours;  ///< ours in place of what there was no room for
@@ -97,7 +97,9 @@ class Renderer {
   /// The framebuffer of that size, at least 1 x 1, is drawn into from now on: of several screens each keeps its own.
   void resize(Size size, std::size_t screen = 0);
   /// Chooses levels and draws into the renderer's own framebuffer.
-  FrameCounts draw(const Scene& scene, const VisibleSets& sets, const Camera& camera, const DrawOptions& options);
+  /// `nodes`: what Nodes::find says of sets.nodes().
+  FrameCounts draw(const Scene& scene, const VisibleSets& sets, const Camera& camera, const DrawOptions& options,
+                   std::span<const SeenNode> nodes = {});
   FrameCounts draw(const Scene& scene, const VisibleSets& sets, const culling::View& view, const DrawOptions& options) {
     return draw(scene, sets, camera_of(view), options);
   }
@@ -112,7 +114,9 @@ class Renderer {
   /// Of each pixel of a rectangle of the picture the number of the tree's object (BqrTree) that is seen there, plus 1;
   /// 0 of none. Trees are picked by their crowns. Rows from the bottom. Waits for the GPU.
   std::vector<std::uint32_t> pick(const Scene& scene, const VisibleSets& sets, const Camera& camera,
-                                  const PixelRect& rect);
+                                  const PixelRect& rect, std::span<const SeenNode> nodes = {});
+  /// Meshes of nodes that are not there yet, at most so many bytes, but at least one; returns how many are left.
+  std::size_t bring(std::span<const SeenNode> nodes, std::size_t most_bytes);
   /// The picture as RGB bytes, rows from the top. Waits for the GPU; not for use in a frame.
   std::vector<unsigned char> read_pixels();
 

@@ -211,6 +211,52 @@ TEST_CASE("edits: a block that moves on and on leaves no more nodes than places"
   CHECK(e.tree.nodes.size() < 10);
 }
 
+TEST_CASE("edits: blocks that move in their own room") {
+  for (const std::uint64_t seed : {63, 64, 65}) {
+    Random random(seed);
+    const City city = baselines::make_city(1000, seed);
+    EditedCity e = seed == 63 ? edited(city) : edited(city, any_classes(random, city.objects()));
+    std::uint64_t taken = 0;
+    for (int i = 0; i < 300; ++i) {
+      INFO("seed " << seed << ", edit " << i);
+      const std::vector<std::uint32_t> living = e.living();
+      const std::uint32_t block = living[random.below(living.size())];
+      const std::uint32_t objects = e.blocks[block].last - e.blocks[block].first;
+      if (i % 5 == 4)
+        any_edit(e, random, Vec3d(0), i % 2 == 0);
+      else
+        e.move(block, new_block(random, any_place(random, Vec3d(0)), Vec3d(any_half(random)), objects, i > 100));
+      if (i % 10 == 0) taken += check(e, random, Vec3d(0));
+    }
+    CHECK(taken > 1000);
+  }
+}
+
+TEST_CASE("edits: moves without end take no memory and leave no wide boxes behind") {
+  Random random(66);
+  EditedCity e;
+  for (int i = 0; i < 200; ++i) e.insert(new_block(random, any_place(random, Vec3d(0)), Vec3d(3), 1, false));
+  std::size_t nodes = 0;
+  for (int round = 0; round < 50; ++round) {
+    for (std::uint32_t b = 0; b < 200; ++b)
+      e.move(b, new_block(random, Vec3d(random.in(-500, 500), random.in(-500, 500), 0), Vec3d(3), 1, false));
+    if (round == 5) nodes = e.tree.nodes.size();
+  }
+  check(e, random, Vec3d(0));
+  CHECK(e.tree.nodes.size() <= nodes + 8);
+  const BqrTree anew = built_anew(e);
+  Answer a(e.tree), b(anew);
+  CullStats edited_stats, anew_stats;
+  for (int i = 0; i < 100; ++i) {
+    const FrustumD frustum = make_frustum(any_view(random, Vec3d(0)));
+    edited_stats.nodes += cull(e.tree, make_planes(e.tree, frustum), a).nodes;
+    anew_stats.nodes += cull(anew, make_planes(anew, frustum), b).nodes;
+  }
+  std::cout << "seed 66: " << e.tree.nodes.size() << " nodes after 10000 moves, built anew " << anew.nodes.size()
+            << "; tested in 100 views " << edited_stats.nodes << " and " << anew_stats.nodes << '\n';
+  CHECK(edited_stats.nodes < 8 * anew_stats.nodes);
+}
+
 TEST_CASE("edits: blocks as far away as can be") {
   Random random(62);
   EditedCity e = edited(baselines::make_city(500, 10));
@@ -246,7 +292,8 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
 bool same(const BqrTree& a, const BqrTree& b) {
   return a.origin == b.origin && a.reach == b.reach && a.root == b.root && same(a.nodes, b.nodes) &&
          same(a.packets, b.packets) && same(a.classes, b.classes) && same(a.block_objects, b.block_objects) &&
-         same(a.place, b.place) && same(a.order, b.order) && same(a.object_order, b.object_order);
+         same(a.place, b.place) && same(a.order, b.order) && same(a.object_order, b.object_order) &&
+         same(a.spare, b.spare);
 }
 
 /// By an insertion as block `blocks()`, and by a change of block 3; objects from `objects()`.

@@ -42,6 +42,17 @@ struct EditedCity {
     forget(block);
     append(block, by);
   }
+  /// As many objects as before, in the same room.
+  void move(std::uint32_t block, const NewBlock& by) {
+    const std::size_t objects = tree.objects(), packets = tree.packets.size();
+    change_block(tree, block, by.volume, by.objects(), remove_block(tree, block));
+    REQUIRE((tree.objects() == objects && tree.packets.size() == packets));
+    Block& b = blocks[block];
+    b.volume = by.volume;
+    std::copy(by.boxes.begin(), by.boxes.end(), boxes.begin() + b.first);
+    std::fill(classes.begin() + b.first, classes.begin() + b.last, kAllClasses);
+    std::copy(by.classes.begin(), by.classes.end(), classes.begin() + b.first);
+  }
 
   std::vector<std::uint32_t> living() const {
     std::vector<std::uint32_t> all;

@@ -7,6 +7,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QTableWidget>
+#include <QTemporaryDir>
 #include <QTreeWidget>
 #include <catch2/catch.hpp>
 
@@ -142,6 +143,37 @@ TEST_CASE("qt: a file that is none is told and leaves what there was") {
   CHECK(opened == std::vector<bool>{true, false});
   CHECK(said.startsWith("/nowhere/city.osm: "));
   CHECK(difference(picture_of(window.city()), before) < 0.01);
+}
+
+TEST_CASE("qt: a model is added where one points and its layer is switched") {
+  QTemporaryDir folder;
+  const QString file = folder.filePath("wall.gltf");
+  {
+    QFile out(file);
+    REQUIRE(out.open(QIODevice::WriteOnly));
+    out.write(R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+      "nodes":[{"name":"wall","mesh":0,"scale":[90,90,90],"translation":[-45,0,0]}],
+      "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+      "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+      "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,
+      "uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
+  }
+  ViewerWindow window;
+  window.resize(700, 450);
+  window.show();
+  window.open("builtin:town");
+  const QImage before = picture_of(window.city());
+  const QPoint middle = window.city().rect().center();
+  window.add(file, middle);
+  REQUIRE(window.layers().topLevelItemCount() == 2);
+  CHECK(difference(picture_of(window.city()), before) > 0.01);
+  window.identify(middle - QPoint(10, 10));
+  REQUIRE(window.attributes().rowCount() == 3);
+  CHECK(window.attributes().item(2, 1)->text().endsWith("wall.gltf / wall"));
+  window.layers().topLevelItem(1)->setCheckState(0, Qt::Unchecked);
+  CHECK(difference(picture_of(window.city()), before) == 0);
+  window.add("/nowhere/wall.glb", middle);
+  CHECK(window.layers().topLevelItemCount() == 2);
 }
 
 TEST_CASE("qt: places in words") {

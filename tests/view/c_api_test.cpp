@@ -1,6 +1,7 @@
 // The C header does what the C++ one does, and shows nothing else.
 #include <catch2/catch.hpp>
 #include <cstring>
+#include <fstream>
 
 #include "manzana/manzana.h"
 #include "tests/support/program.h"
@@ -20,6 +21,14 @@ manzana_camera as_c(const HostCamera& camera) {
   std::memcpy(c.view, &camera.view[0].x, sizeof c.view);
   return c;
 }
+
+constexpr double kIdentity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+constexpr const char* kTriangleGltf = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+  "nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+  "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+  "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,
+  "uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
 
 manzana_model* load(const char* city, manzana_error* error) {
   manzana_load_options options = manzana_load_defaults();
@@ -78,6 +87,46 @@ TEST_CASE("c: a picture and what is picked in it") {
   manzana_model_free(city);
 }
 
+TEST_CASE("c: nodes are put in and moved and found and gone") {
+  manzana_error error{};
+  manzana_model* city = load("builtin:town", &error);
+  REQUIRE(city != nullptr);
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "house.gltf").string();
+  std::ofstream(file) << kTriangleGltf;
+  manzana_nodes* nodes = manzana_nodes_create(city);
+  const double here[3] = {100, 0, 0}, there[3] = {200, 0, 0};
+  double placement[16];
+  manzana_model_upright(city, here, 90, placement);
+  const std::uint32_t layer = manzana_nodes_add(nodes, 0, kIdentity, "planned", &error);
+  REQUIRE(layer > manzana_model_features(city));
+  const std::uint32_t house = manzana_nodes_add_model(nodes, file.c_str(), layer, placement, &error);
+  REQUIRE(house != 0);
+  manzana_node node{};
+  REQUIRE(manzana_nodes_node(nodes, house, &node) == 1);
+  CHECK(node.parent == layer);
+  CHECK(node.visible == 1);
+  CHECK(node.low[0] == Approx(100).margin(0.01));
+  manzana_model_upright(city, there, 0, placement);
+  CHECK(manzana_nodes_move(nodes, house, placement, &error) == 1);
+  const std::uint32_t second = manzana_nodes_copy(nodes, house, layer, placement, &error);
+  REQUIRE(second > house);
+  CHECK(manzana_nodes_paint(nodes, second, 0xff0000, &error) == 1);
+  CHECK(manzana_nodes_hang(nodes, second, house, &error) == 1);
+  CHECK(manzana_nodes_hang(nodes, house, second, &error) == 0);
+  CHECK(std::string(error.text) == "a node cannot hang below itself");
+  CHECK(manzana_nodes_show(nodes, layer, 0, &error) == 1);
+  REQUIRE(manzana_nodes_node(nodes, house, &node) == 1);
+  CHECK(node.visible == 0);
+  CHECK(node.low[0] == Approx(200).margin(0.01));
+  CHECK(manzana_nodes_remove(nodes, layer, &error) == 1);
+  CHECK(manzana_nodes_node(nodes, second, &node) == 0);
+  CHECK(manzana_nodes_add_model(nodes, "nowhere.glb", 0, kIdentity, &error) == 0);
+  CHECK(std::string(error.text).starts_with("nowhere.glb: "));
+  manzana_nodes_free(nodes);
+  manzana_model_free(city);
+}
+
 TEST_CASE("c: places lead there and back and errors are a line") {
   manzana_error error{};
   CHECK(load("nowhere.osm", &error) == nullptr);
@@ -109,5 +158,5 @@ TEST_CASE("c: the library shows its own functions and nothing else") {
     INFO(name);
     CHECK(name.starts_with("manzana_"));
   }
-  CHECK(functions == 24);
+  CHECK(functions == 37);
 }
