@@ -1,0 +1,76 @@
+#pragma once
+/// What files say of things, name by name: "species" = "Quercus robur". Rows are of pairs of texts; each text is kept
+/// once, and so is each row that many things share.
+///   AttributeWriter writer;                                       // while a file is read
+///   tree.attributes = writer.row({{"species", "Quercus robur"}, {"height", "12"}});
+///   const AttributeRow row = scene.attributes.of(object);         // in the scene
+///   row.find("species");                                          // "Quercus robur"
+/// Numbers are kept as the file writes them.
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace manzana {
+
+struct Attributes;
+
+/// Of one thing. Refers to the table.
+class AttributeRow {
+ public:
+  AttributeRow() = default;
+  AttributeRow(const Attributes& table, std::uint32_t row) : table_(&table), row_(row) {}
+  std::size_t size() const;
+  /// Name and value; each is followed by a zero byte.
+  std::pair<std::string_view, std::string_view> operator[](std::size_t i) const;
+  std::optional<std::string_view> find(std::string_view name) const;
+  /// What the value begins with as a number, as in "12.5 m".
+  std::optional<double> number(std::string_view name) const;
+
+ private:
+  const Attributes* table_ = nullptr;
+  std::uint32_t row_ = 0;
+};
+
+struct Attributes {
+  struct Pair {
+    std::uint32_t name = 0, value = 0;  ///< where their texts begin
+    bool operator==(const Pair&) const = default;
+  };
+  std::string text;                          ///< each ends with a zero byte
+  std::vector<Pair> pairs;
+  std::vector<std::uint32_t> row_last;       ///< of pairs; a row begins where the one before it ends; row 0 has none
+  std::vector<std::uint32_t> row_of_object;  ///< of the scene's tree; empty: none has any
+  AttributeRow row(std::uint32_t i) const { return {*this, i}; }
+  AttributeRow of(std::uint32_t object) const {
+    return object < row_of_object.size() ? row(row_of_object[object]) : AttributeRow();
+  }
+};
+std::size_t bytes_of(const Attributes& attributes);
+
+class AttributeWriter {
+ public:
+  using Given = std::pair<std::string_view, std::string_view>;
+  explicit AttributeWriter(bool wanted = false) : wanted_(wanted) { table_.row_last.push_back(0); }
+  /// False: all rows are row 0, and nothing is kept; readers need not look.
+  bool wanted() const { return wanted_; }
+  /// Of a name that comes again the first value counts. Throws std::length_error beyond 4 GiB of text.
+  std::uint32_t row(std::span<const Given> given);
+  std::uint32_t row(std::initializer_list<Given> given) { return row(std::span(given.begin(), given.size())); }
+  /// The same of another table.
+  std::uint32_t row(const AttributeRow& other);
+  const Attributes& table() const { return table_; }
+  Attributes take() { return std::move(table_); }
+
+ private:
+  std::uint32_t text(std::string_view value);
+  bool wanted_;
+  Attributes table_;
+  std::unordered_map<std::string, std::uint32_t> texts_, rows_;
+};
+
+}  // namespace manzana
