@@ -12,7 +12,11 @@ double depth_of(const LdmTexel& texel, int layer) { return layer + texel.depth /
 class Splitter {
  public:
   Splitter(const LdmPlace& place, const LdmOptions& options, double radius, double distance)
-      : place_(place), options_(options), slab_m_(2 * radius / options.layers), radius_(radius), distance_(distance) {}
+      : place_(place),
+        options_(options),
+        slab_m_(2 * radius / place.image.layers),
+        radius_(radius),
+        distance_(distance) {}
 
   void split(int left, int low, int side) {
     const LdmStretch stretch = stretch_of(place_, left, low, side);
@@ -33,7 +37,7 @@ class Splitter {
   }
 
   void keep(const LdmStretch& s) {
-    const double depth = 65535 * s.mean / options_.layers;
+    const double depth = 65535 * s.mean / place_.image.layers;
     const auto byte = [](int v) { return static_cast<std::uint8_t>(v); };
     mosaics.push_back(
         {0, static_cast<std::uint16_t>(std::lround(depth)), byte(s.left), byte(s.low), byte(s.right), byte(s.high)});
@@ -56,7 +60,7 @@ LdmStretch stretch_of(const LdmPlace& place, int left, int low, int side) {
       if (texel.colour[3] == 0) continue;
       const double alpha = texel.colour[3] / 255.0, depth = depth_of(texel, place.layer);
       stretch.visible += alpha;
-      hidden += alpha * static_cast<double>(place.hidden[LdmImage::index(0, first_x + x, first_y + y)]);
+      hidden += alpha * static_cast<double>(place.hidden[place.image.index(0, first_x + x, first_y + y)]);
       depths += alpha * depth;
       least = std::min(least, depth), most = std::max(most, depth);
       stretch.left = std::min(stretch.left, x), stretch.right = std::max(stretch.right, x + 1);

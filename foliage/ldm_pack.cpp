@@ -19,7 +19,9 @@ bool sane(const Vec3& v) { return std::abs(v.x) <= 1e6F && std::abs(v.y) <= 1e6F
 
 void check_block(const LdmPack& pack, std::size_t row) {
   const LdmBlock& b = pack.blocks[row];
-  if (b.shrink > kLdmShrinks || b.column >= kLdmColumns || b.row >= kLdmColumns) fail("block", row, "is out of range");
+  if (b.shrink > kLdmShrinks || b.pixel == 0 || (b.column + 1) * kLdmBlock * b.pixel > kLdmPixels ||
+      (b.row + 1) * kLdmBlock * b.pixel > kLdmPixels)
+    fail("block", row, "is out of range");
   const int side = kLdmBlock >> b.shrink;
   if (b.page >= pack.pages() || b.x + side > kLdmPage || b.y + side > kLdmPage || b.x % side != 0 || b.y % side != 0)
     fail("block", row, "leaves its page");

@@ -12,39 +12,6 @@ constexpr std::uint8_t kLeafBit = 128;
 
 std::uint8_t to_byte(float v) { return static_cast<std::uint8_t>(std::clamp(v + 0.5F, 0.0F, 255.0F)); }
 
-/// What texels add up to, by weight.
-struct Sum {
-  Vec3 colour{0}, normal{0};
-  float weight = 0, depth = 0, leaf = 0, leaf_shade = 0, bark_shade = 0;
-
-  void add(const LdmTexel& t, float w) {
-    weight += w;
-    colour += w * Vec3(linear_of_srgb(t.colour[0]), linear_of_srgb(t.colour[1]), linear_of_srgb(t.colour[2]));
-    normal += w * unpack_ldm_normal(t.normal_x, t.normal_y);
-    depth += w * static_cast<float>(t.depth);
-    const float shade = w * static_cast<float>(t.shade & 127);
-    if ((t.shade & kLeafBit) != 0)
-      leaf += w, leaf_shade += shade;
-    else
-      bark_shade += shade;
-  }
-
-  LdmTexel mean(std::uint8_t alpha) const {
-    LdmTexel t;
-    for (int c = 0; c < 3; ++c) t.colour[static_cast<std::size_t>(c)] = srgb_of_linear(colour[c] / weight);
-    t.colour[3] = alpha;
-    if (glm::dot(normal, normal) > 0) {
-      const auto packed = pack_ldm_normal(normal);
-      t.normal_x = packed[0], t.normal_y = packed[1];
-    }
-    t.depth = to_byte(depth / weight);
-    const bool is_leaf = 2 * leaf >= weight;
-    const float shade = is_leaf ? leaf_shade / leaf : bark_shade / (weight - leaf);
-    t.shade = static_cast<std::uint8_t>(std::min(shade + 0.5F, 127.0F)) | (is_leaf ? kLeafBit : std::uint8_t{0});
-    return t;
-  }
-};
-
 /// Top down: what is empty takes after its parent.
 void fill_empty(std::vector<LdmSquare>& pyramid) {
   for (std::size_t level = pyramid.size() - 1; level-- > 0;) {
@@ -83,13 +50,64 @@ Vec3 unpack_ldm_normal(std::uint8_t x, std::uint8_t y) {
   return glm::normalize(n);
 }
 
+void LdmSum::add(const LdmTexel& t, float w) {
+  weight_ += w;
+  colour_ += w * Vec3(linear_of_srgb(t.colour[0]), linear_of_srgb(t.colour[1]), linear_of_srgb(t.colour[2]));
+  normal_ += w * unpack_ldm_normal(t.normal_x, t.normal_y);
+  depth_ += w * static_cast<float>(t.depth);
+  const float shade = w * static_cast<float>(t.shade & 127);
+  if ((t.shade & kLeafBit) != 0)
+    leaf_ += w, leaf_shade_ += shade;
+  else
+    bark_shade_ += shade;
+}
+
+LdmTexel LdmSum::mean(std::uint8_t alpha) const {
+  LdmTexel t;
+  for (int c = 0; c < 3; ++c) t.colour[static_cast<std::size_t>(c)] = srgb_of_linear(colour_[c] / weight_);
+  t.colour[3] = alpha;
+  if (glm::dot(normal_, normal_) > 0) {
+    const auto packed = pack_ldm_normal(normal_);
+    t.normal_x = packed[0], t.normal_y = packed[1];
+  }
+  t.depth = to_byte(depth_ / weight_);
+  const bool is_leaf = 2 * leaf_ >= weight_;
+  const float shade = is_leaf ? leaf_shade_ / leaf_ : bark_shade_ / (weight_ - leaf_);
+  t.shade = static_cast<std::uint8_t>(std::min(shade + 0.5F, 127.0F)) | (is_leaf ? kLeafBit : std::uint8_t{0});
+  return t;
+}
+
 LdmTexel ldm_mean(const std::array<const LdmTexel*, 4>& parts) {
-  Sum sum;
+  LdmSum sum;
   for (const LdmTexel* part : parts) sum.add(*part, static_cast<float>(part->colour[3]));
-  const auto alpha = static_cast<std::uint8_t>((sum.weight + 2) / 4);
-  if (sum.weight == 0)
+  const auto alpha = static_cast<std::uint8_t>((sum.weight() + 2) / 4);
+  if (sum.weight() == 0)
     for (const LdmTexel* part : parts) sum.add(*part, 1);
   return sum.mean(alpha);
+}
+
+LdmImage coarser(const LdmImage& image, int pixel, int layers) {
+  LdmImage out(layers, image.pixels / pixel);
+  const int thick = (image.layers + layers - 1) / layers;
+  for (int layer = 0; layer < layers; ++layer)
+    for (int y = 0; y < out.pixels; ++y)
+      for (int x = 0; x < out.pixels; ++x) {
+        LdmSum sum;
+        for (int i = 0; i < pixel * pixel; ++i) {
+          float open = 1;
+          for (int part = 0; part < thick && layer * thick + part < image.layers; ++part) {
+            LdmTexel texel = image.at(layer * thick + part, x * pixel + i % pixel, y * pixel + i / pixel);
+            const float alpha = static_cast<float>(texel.colour[3]) / 255;
+            if (alpha == 0) continue;
+            texel.depth = static_cast<std::uint8_t>((part * 255 + texel.depth) / thick);
+            sum.add(texel, open * alpha);
+            open *= 1 - alpha;
+          }
+        }
+        if (sum.weight() == 0) continue;
+        out.at(layer, x, y) = sum.mean(to_byte(255 * sum.weight() / static_cast<float>(pixel * pixel)));
+      }
+  return out;
 }
 
 LdmSquare halved(const LdmSquare& square) {

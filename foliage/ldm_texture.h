@@ -21,8 +21,24 @@ struct LdmSquare {
 std::array<std::uint8_t, 2> pack_ldm_normal(const Vec3& normal);
 Vec3 unpack_ldm_normal(std::uint8_t x, std::uint8_t y);
 
-/// What four texels are together: colour in linear light, depth and normal by alpha; leaf or bark by the most.
+/// What texels are together: colour in linear light, depth and normal by weight; leaf or bark by the most.
+class LdmSum {
+ public:
+  void add(const LdmTexel& texel, float weight);
+  float weight() const { return weight_; }
+  LdmTexel mean(std::uint8_t alpha) const;  ///< of a weight that is not 0
+
+ private:
+  Vec3 colour_{0}, normal_{0};
+  float weight_ = 0, depth_ = 0, leaf_ = 0, leaf_shade_ = 0, bark_shade_ = 0;
+};
+
+/// By alpha.
 LdmTexel ldm_mean(const std::array<const LdmTexel*, 4>& parts);
+
+/// So many pixels as one, so many layers in place of more: nearer ones before those behind. `layers` divides the
+/// image's, or the last is thinner.
+LdmImage coarser(const LdmImage& image, int pixel, int layers);
 
 /// Half as many texels a side.
 LdmSquare halved(const LdmSquare& square);

@@ -116,12 +116,13 @@ float LdmZone::next(double distance) const {
 }
 
 LdmRing ldm_ring(const LdmPack& pack, double distance) {
-  for (int level = 0; level + 1 < kLdmLevels; ++level) {
+  const int levels = level_count(pack.options);
+  for (int level = 0; level + 1 < levels; ++level) {
     const double end = pack.distance_of(level + 1);
     const float next = LdmZone(kZone * end, end).next(distance);
     if (next < 1) return {level, next};
   }
-  return {kLdmLevels - 1, 0};
+  return {levels - 1, 0};
 }
 
 }  // namespace manzana::foliage

@@ -18,12 +18,12 @@ namespace {
 /// Of each pixel the share that nearer slabs hide, layer by layer.
 std::vector<std::vector<float>> hidden_in(const LdmImage& image) {
   std::vector<std::vector<float>> hidden;
-  std::vector<float> open(LdmImage::index(1, 0, 0), 1.0F);
+  std::vector<float> open(image.index(1, 0, 0), 1.0F);
   for (int layer = 0; layer < image.layers; ++layer) {
     std::vector<float>& here = hidden.emplace_back(open.size());
     for (std::size_t i = 0; i < open.size(); ++i) {
       here[i] = 1 - open[i];
-      open[i] *= 1 - static_cast<float>(image.texels[LdmImage::index(layer, 0, 0) + i].colour[3]) / 255;
+      open[i] *= 1 - static_cast<float>(image.texels[image.index(layer, 0, 0) + i].colour[3]) / 255;
     }
   }
   return hidden;
@@ -40,7 +40,7 @@ LdmSquare block_of(const LdmPlace& place) {
 
 /// A block that is not empty.
 struct MadeBlock {
-  int layer = 0, column = 0, row = 0, shrink = 0;
+  int layer = 0, column = 0, row = 0, shrink = 0, pixel = 1;
   double adaptive = 0;  // texels that it would have with s = 0
   LdmSquare texels;
   std::array<std::vector<LdmMosaic>, kLdmLevels> mosaics;
@@ -58,12 +58,11 @@ class Maker {
     const ParallelView view(towards, ball_.centre, ball_.radius, kLdmPixels);
     const LdmImage image = sample(view, pack_.options.layers);
     LdmSide& side = pack_.sides.emplace_back(LdmSide{view.towards(), view.right(), view.up(), {}});
-    tally_.raw += static_cast<double>(image.texels.size());
-    std::vector<MadeBlock> blocks = blocks_of(image);
-    const std::size_t first = pack_.blocks.size();
-    if (first + blocks.size() > 65536) throw std::invalid_argument("a pack has too many blocks");
-    for (MadeBlock& block : blocks) keep(block);
-    for (int level = 0; level < kLdmLevels; ++level) add_mosaics(blocks, first, level, side);
+    for (const LdmPictures& pictures : kLdmPictures) {
+      if (pictures.first >= level_count(pack_.options)) continue;
+      const bool finest = pictures.pixel == 1;
+      add_pictures(finest ? image : coarser(image, pictures.pixel, pictures.layers), pictures, side);
+    }
   }
 
   LdmPack finish(LdmTally* tally) {
@@ -74,14 +73,25 @@ class Maker {
   }
 
  private:
+  void add_pictures(const LdmImage& image, const LdmPictures& pictures, LdmSide& side) {
+    tally_.raw += static_cast<double>(image.texels.size());
+    std::vector<MadeBlock> blocks = blocks_of(image, pictures);
+    const std::size_t first = pack_.blocks.size();
+    if (first + blocks.size() > 65536) throw std::invalid_argument("a pack has too many blocks");
+    for (MadeBlock& block : blocks) keep(block);
+    for (int level = pictures.first; level < pictures.last; ++level) add_mosaics(blocks, first, level, side);
+  }
+
   /// From the farthest layer to the nearest.
-  std::vector<MadeBlock> blocks_of(const LdmImage& image) const {
+  std::vector<MadeBlock> blocks_of(const LdmImage& image, const LdmPictures& pictures) const {
     const auto hidden = hidden_in(image);
-    constexpr std::size_t kOfLayer = kLdmColumns * kLdmColumns;
-    std::vector<std::optional<MadeBlock>> made(static_cast<std::size_t>(image.layers) * kOfLayer);
+    const int columns = image.pixels / kLdmBlock;
+    const auto of_layer = static_cast<std::size_t>(columns * columns);
+    std::vector<std::optional<MadeBlock>> made(static_cast<std::size_t>(image.layers) * of_layer);
     tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
-      const int layer = image.layers - 1 - static_cast<int>(i / kOfLayer), at = static_cast<int>(i % kOfLayer);
-      made[i] = make_block({image, layer, at % kLdmColumns, at / kLdmColumns, hidden[static_cast<std::size_t>(layer)]});
+      const int layer = image.layers - 1 - static_cast<int>(i / of_layer), at = static_cast<int>(i % of_layer);
+      made[i] =
+          make_block({image, layer, at % columns, at / columns, hidden[static_cast<std::size_t>(layer)]}, pictures);
     });
     std::vector<MadeBlock> blocks;
     for (auto& block : made)
@@ -89,17 +99,18 @@ class Maker {
     return blocks;
   }
 
-  std::optional<MadeBlock> make_block(const LdmPlace& place) const {
-    const LdmOptions& options = pack_.options;
+  std::optional<MadeBlock> make_block(const LdmPlace& place, const LdmPictures& pictures) const {
+    LdmOptions options = pack_.options;
+    if (pictures.pixel > 1) options.smallest = kLdmBlock;  // as few as there are blocks
     const LdmStretch all = stretch_of(place, 0, 0, kLdmBlock);
     if (all.visible == 0) return std::nullopt;
-    MadeBlock block{place.layer, place.column, place.row, 0, 0, {}, {}};
+    MadeBlock block{place.layer, place.column, place.row, 0, pictures.pixel, 0, {}, {}};
     auto pyramid = ldm_pyramid(block_of(place));
     const int adaptive = coarsest_level(pyramid, allowed_delta(0, options));
     block.adaptive = static_cast<double>(pyramid[static_cast<std::size_t>(adaptive)].texels.size());
     block.shrink = coarsest_level(pyramid, allowed_delta(all.hidden, options));
     block.texels = std::move(pyramid[static_cast<std::size_t>(block.shrink)]);
-    for (int level = 0; level < kLdmLevels; ++level)
+    for (int level = pictures.first; level < pictures.last; ++level)
       block.mosaics[static_cast<std::size_t>(level)] =
           split_block(place, options, static_cast<double>(ball_.radius), pack_.distance_of(level));
     return block;
@@ -107,7 +118,7 @@ class Maker {
 
   void keep(MadeBlock& block) {
     const auto byte = [](int v) { return static_cast<std::uint8_t>(v); };
-    pack_.blocks.push_back({0, 0, 0, byte(block.shrink), byte(block.column), byte(block.row)});
+    pack_.blocks.push_back({0, 0, 0, byte(block.shrink), byte(block.column), byte(block.row), byte(block.pixel), 0});
     tally_.adaptive += block.adaptive;
     tally_.aware += static_cast<double>(block.texels.texels.size());
     squares_.push_back(std::move(block.texels));
@@ -140,7 +151,8 @@ class Maker {
   }
 
   void fill(const LdmSquare& square, const PagePlace& place, LdmBlock& block) {
-    block.x = place.x, block.y = place.y, block.page = static_cast<std::uint8_t>(place.page);
+    block.x = static_cast<std::uint8_t>(place.x), block.y = static_cast<std::uint8_t>(place.y);
+    block.page = static_cast<std::uint8_t>(place.page);
     for (int y = 0; y < square.side; ++y)
       for (int x = 0; x < square.side; ++x) {
         const LdmTexel& texel = square.at(x, y);

@@ -1,5 +1,6 @@
 #include "apps/foliage_benchmark/forest.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -87,6 +88,34 @@ Shot screen_shot(const Vec3d& eye, const Vec3d& forward, int height_px) {
   shot.focal_px = height_px / (2 * std::tan(kFovY / 2));
   shot.view = culling::look(eye, forward, {0, 0, 1}, kFovY, static_cast<double>(shot.width) / height_px);
   return shot;
+}
+
+std::vector<Extent> extents_of(std::span<const foliage::PreparedPlant> plants) {
+  std::vector<Extent> extents;
+  std::transform(plants.begin(), plants.end(), std::back_inserter(extents), extent_of);
+  return extents;
+}
+
+std::uint64_t covered(const Picture& picture) {
+  return static_cast<std::uint64_t>(
+      std::count_if(picture.texels.begin(), picture.texels.end(), [](const Vec4& t) { return t.w > 0; }));
+}
+
+double widest(std::span<const foliage::PreparedPlant> plants) {
+  float radius = 0;
+  for (const foliage::PreparedPlant& plant : plants) radius = std::max(radius, plant.crown_radius_m);
+  return static_cast<double>(radius);
+}
+
+std::vector<Shot> forest_path(double half_m, int frames, int height_px, const foliage::PreparedPlant& plant) {
+  std::vector<Shot> shots;
+  for (int i = 0; i < frames; ++i) {
+    const double t = frames > 1 ? static_cast<double>(i) / (frames - 1) : 0, top = static_cast<double>(plant.height_m);
+    const double height = t < 0.5 ? top * (6 - 8 * t) : std::max(1.7, top * (4 - 6 * t));
+    const Vec3d eye(-half_m * (1.1 - 1.2 * t), half_m * 0.1 * std::sin(6 * t), height);
+    shots.push_back(screen_shot(eye, {1, 0.2 * std::cos(5 * t), -0.35 + 0.4 * t}, height_px));
+  }
+  return shots;
 }
 
 }  // namespace manzana::foliage_benchmark

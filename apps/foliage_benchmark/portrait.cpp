@@ -24,10 +24,7 @@ void Portrait::look(const Detail& way, const Detail& reference, TimeRow& row) {
   row.reference_primitives = expected_->primitives;
   const Picture seen = draw(way, Sampling::fine);
   row.primitives = primitives_of(stage_.shown());
-  const ImageError error = image_error(expected_->picture, seen);
-  row.cover = error.cover;
-  row.ssim = error.ssim;
-  row.gmsd = error.gmsd;
+  set_errors(image_error(expected_->picture, seen), row);
 }
 
 void Portrait::time(const Detail& way, const Detail& reference, double seconds, TimeRow& row) {

@@ -38,8 +38,10 @@ const std::vector<C> kOwnColumns{
     {"pairs", "", "that were timed", &R::pairs},
     {"covered_px", "pixels", "that plants cover, however little", &R::covered_px},
     {"cover", "", "over all detail's, finely sampled", &R::cover},
+    {"colour", "", "difference of mean colours, linear", &R::colour},
     {"ssim", "", "against all detail, finely sampled", &R::ssim},
     {"gmsd", "", "against all detail, finely sampled", &R::gmsd},
+    {"bytes", "bytes", "of memory", &R::bytes},
     {"source_value", "", "what stands in the source", &R::source_value}};
 
 std::span<const C> columns() {
@@ -59,6 +61,7 @@ void add_all(const Effort& effort, std::span<const foliage::PreparedPlant> plant
   add_deussen(effort, plants, times);
   add_gadbem(effort, plants, times);
   add_forests(effort, plants, times);
+  add_zhang(effort, plants, times);
   add_extraction(effort, plants, times);
 }
 
@@ -131,6 +134,13 @@ void set_shown(const foliage::Shown& shown, TimeRow& row) {
   row.lines = shown.lines;
   row.points = shown.points;
   row.primitives = primitives_of(shown);
+}
+
+void set_errors(const ImageError& error, TimeRow& row) {
+  row.cover = error.cover;
+  row.colour = error.colour;
+  row.ssim = error.ssim;
+  row.gmsd = error.gmsd;
 }
 
 Times measure_rows(const Effort& effort, const std::function<void(Times&)>& add) {

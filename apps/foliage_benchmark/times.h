@@ -10,6 +10,7 @@
 #include <string>
 
 #include "apps/common/gnuplot.h"
+#include "apps/foliage_benchmark/image_error.h"
 #include "apps/foliage_benchmark/pair_times.h"
 #include "apps/foliage_benchmark/stage.h"
 
@@ -25,11 +26,13 @@ struct TimeRow {
   std::optional<double> ms = {}, ms_99 = {}, reference_ms = {};
   std::optional<double> ratio = {}, ratio_lo = {}, ratio_hi = {};  ///< how many times as fast as the reference
   std::optional<std::uint64_t> pairs = {};
-  std::optional<double> covered_px = {}, cover = {}, ssim = {}, gmsd = {};
+  std::optional<double> covered_px = {}, cover = {}, colour = {}, ssim = {}, gmsd = {};
+  std::optional<double> bytes = {};         ///< of memory
   std::optional<double> source_value = {};  ///< what stands in the source's table
 };
 void set_times(const PairTimes& times, TimeRow& row);
 void set_shown(const foliage::Shown& shown, TimeRow& row);
+void set_errors(const ImageError& error, TimeRow& row);
 
 struct Times {
   using Measure = std::function<void(TimeRow&)>;
@@ -61,6 +64,8 @@ void add_deussen(const Effort& effort, std::span<const foliage::PreparedPlant> p
 void add_gadbem(const Effort& effort, std::span<const foliage::PreparedPlant> plants, Times& times);
 void add_forests(const Effort& effort, std::span<const foliage::PreparedPlant> plants, Times& times);
 void add_extraction(const Effort& effort, std::span<const foliage::PreparedPlant> plants, Times& times);
+
+void add_zhang(const Effort& effort, std::span<const foliage::PreparedPlant> plants, Times& times);
 
 /// What `add` adds, which it does twice: once to be counted. OUT/times.csv is whole after each row.
 Times measure_rows(const Effort& effort, const std::function<void(Times&)>& add);

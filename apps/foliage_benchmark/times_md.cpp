@@ -34,7 +34,9 @@ std::vector<std::string> cells_of(const TimeRow& row) {
           value_of(row.ms_99),
           value_of(row.reference_ms),
           ratio_of(row),
+          row.bytes ? grouped(*row.bytes) : "",
           value_of(row.cover),
+          value_of(row.colour),
           value_of(row.ssim),
           value_of(row.gmsd),
           value_of(row.source_value)};
@@ -57,7 +59,8 @@ std::string rows_md(std::span<const TimeRow> rows, std::string_view table) {
   Cells cells{
       {"plant",        "way",           "reference", "trees",  "error px",   "primitives", "reference's",
        "bark",         "leaves",        "lines",     "points", "covered px", "ms",         "ms, 99th percentile",
-       "reference ms", "times as fast", "cover",     "SSIM",   "GMSD",       "source"}};
+       "reference ms", "times as fast", "bytes",     "cover",  "colour",     "SSIM",       "GMSD",
+       "source"}};
   for (const TimeRow& row : rows)
     if (row.table == table) cells.push_back(cells_of(row));
   if (cells.size() == 1) return {};

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <stdexcept>
 
 #include "foliage/ldm_texture.h"
+#include "gl/buffer.h"
 #include "gl/program.h"
 #include "gl/vertex_array.h"
 #include "manzana_foliage_gl_shaders.h"
@@ -51,10 +53,7 @@ LdmTexel texel_of(const std::uint8_t* colour, const std::uint8_t* surface) {
 LdmSamplerGl::LdmSamplerGl(const PreparedPlant& plant, int fine)
     : fine_(fine),
       side_(fine * kLdmPixels),
-      bark_(finest_bark(plant)),
-      leaves_{static_cast<std::uint32_t>(plant.bark.size()),
-              static_cast<std::uint32_t>(plant.bark.size() + plant.leaves.size())},
-      first_leaf_(leaves_.first),
+      plant_(plant),
       store_({&plant, 1}),
       colour_(make_texture(GL_RGBA8, side_)),
       surface_(make_texture(GL_RGBA8, side_)),
@@ -75,7 +74,7 @@ void LdmSamplerGl::set_view(const ParallelView& view) {
   glProgramUniform3fv(program, 3, 1, &view.up().x);
   glProgramUniform3fv(program, 4, 1, &view.towards().x);
   glProgramUniform1f(program, 5, view.radius());
-  glProgramUniform1ui(program, 7, first_leaf_);
+  glProgramUniform1ui(program, 7, static_cast<GLuint>(plant_.bark.size()));
   glUseProgram(program);
   glBindVertexArray(array_.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kPrimitivesBinding, store_.quads.name());
@@ -89,15 +88,44 @@ void LdmSamplerGl::set_view(const ParallelView& view) {
   glDepthMask(GL_TRUE);
 }
 
+/// Slab after slab the quads that reach into it: most are in one or two.
+std::vector<Run> LdmSamplerGl::sort_quads(const ParallelView& view, int layers) {
+  std::vector<std::vector<std::uint32_t>> slabs(static_cast<std::size_t>(layers));
+  const float per_slab = static_cast<float>(layers) / (2 * view.radius());
+  const auto add = [&](const PlantQuad& quad, std::uint32_t index) {
+    float nearest = -view.radius(), farthest = view.radius();
+    for (const PlantQuad::Corner& c : quad.corners) {
+      const float at = view.nearness(c.position);
+      nearest = std::max(nearest, at), farthest = std::min(farthest, at);
+    }
+    const auto slab = [&](float nearness) {
+      return std::clamp(static_cast<int>((view.radius() - nearness) * per_slab), 0, layers - 1);
+    };
+    for (int i = slab(nearest); i <= slab(farthest); ++i) slabs[static_cast<std::size_t>(i)].push_back(index);
+  };
+  const Run bark = finest_bark(plant_);
+  for (std::uint32_t i = bark.first; i < bark.last; ++i) add(plant_.bark[i], i);
+  for (std::uint32_t i = 0; i < plant_.leaves.size(); ++i)
+    add(plant_.leaves[i], static_cast<std::uint32_t>(plant_.bark.size()) + i);
+  std::vector<std::uint32_t> all;
+  std::vector<Run> runs;
+  for (const auto& slab : slabs) {
+    runs.push_back({static_cast<std::uint32_t>(all.size()), static_cast<std::uint32_t>(all.size() + slab.size())});
+    all.insert(all.end(), slab.begin(), slab.end());
+  }
+  slab_quads_ = gl::make_buffer(std::as_bytes(std::span(all)));
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, slab_quads_.name());
+  return runs;
+}
+
 /// What is not in the slab is cut off by the view's near and far planes.
-void LdmSamplerGl::draw_slab(const ParallelView& view, int layer, int layers) {
+void LdmSamplerGl::draw_slab(const ParallelView& view, int layer, int layers, const Run& quads) {
   const float thickness = 2 * view.radius() / static_cast<float>(layers), farthest = 1;
   const Vec4 nothing{0};
   glUniform2f(6, view.radius() - static_cast<float>(layer) * thickness, thickness);
   for (const GLint part : {0, 1}) glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, part, &nothing.x);
   glClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, &farthest);
-  for (const Run& run : {bark_, leaves_})
-    glDrawArrays(GL_TRIANGLES, static_cast<GLint>(6 * run.first), static_cast<GLsizei>(6 * run.size()));
+  glDrawArrays(GL_TRIANGLES, static_cast<GLint>(6 * quads.first), static_cast<GLsizei>(6 * quads.size()));
 }
 
 void LdmSamplerGl::read_slab(int layer, LdmImage& image) {
@@ -107,17 +135,16 @@ void LdmSamplerGl::read_slab(int layer, LdmImage& image) {
   }
   tbb::parallel_for(0, kLdmPixels, [&](int y) {
     for (int x = 0; x < kLdmPixels; ++x) {
-      LdmSquare square{fine_, {}};
+      LdmSum sum;
       for (int j = 0; j < fine_; ++j)
         for (int i = 0; i < fine_; ++i) {
           const auto at = 4 * (static_cast<std::size_t>(y * fine_ + j) * static_cast<std::size_t>(side_) +
                                static_cast<std::size_t>(x * fine_ + i));
-          square.texels.push_back(texel_of(&colours_[at], &surfaces_[at]));
+          if (colours_[at + 3] > 0) sum.add(texel_of(&colours_[at], &surfaces_[at]), 1);
         }
-      const auto covered = [](const LdmTexel& t) { return t.colour[3] > 0; };
-      if (std::none_of(square.texels.begin(), square.texels.end(), covered)) continue;
-      while (square.side > 1) square = halved(square);
-      image.at(layer, x, y) = square.texels[0];
+      if (sum.weight() == 0) continue;
+      const float alpha = 255 * sum.weight() / static_cast<float>(fine_ * fine_);
+      image.at(layer, x, y) = sum.mean(static_cast<std::uint8_t>(std::lround(alpha)));
     }
   });
 }
@@ -125,8 +152,9 @@ void LdmSamplerGl::read_slab(int layer, LdmImage& image) {
 LdmImage LdmSamplerGl::operator()(const ParallelView& view, int layers) {
   LdmImage image(layers);
   set_view(view);
+  const std::vector<Run> quads = sort_quads(view, layers);
   for (int layer = 0; layer < layers; ++layer) {
-    draw_slab(view, layer, layers);
+    draw_slab(view, layer, layers, quads[static_cast<std::size_t>(layer)]);
     read_slab(layer, image);
   }
   return image;

@@ -11,24 +11,26 @@ namespace manzana::foliage {
 
 class LdmSamplerGl {
  public:
-  /// Each pixel of a picture is the mean of `fine` x `fine`, at most 8. The source has one ray a pixel.
+  /// Each pixel of a picture is the mean of `fine` x `fine`, at most 8. The source has one ray a pixel. The plant must
+  /// stay as it is.
   explicit LdmSamplerGl(const PreparedPlant& plant, int fine = 4);
   /// A SampleLdm.
   LdmImage operator()(const ParallelView& view, int layers);
 
  private:
   void set_view(const ParallelView& view);
-  void draw_slab(const ParallelView& view, int layer, int layers);
+  std::vector<Run> sort_quads(const ParallelView& view, int layers);
+  void draw_slab(const ParallelView& view, int layer, int layers, const Run& quads);
   void read_slab(int layer, LdmImage& image);
 
   int fine_, side_;
-  Run bark_, leaves_;  ///< of the store's quads
-  std::uint32_t first_leaf_;
+  const PreparedPlant& plant_;
   PlantStore store_;
   gl::Texture colour_, surface_, depth_;
   gl::Framebuffer framebuffer_;
   gl::Program program_;
   gl::VertexArray array_;
+  gl::Buffer slab_quads_;
   std::vector<std::uint8_t> colours_, surfaces_;
 };
 

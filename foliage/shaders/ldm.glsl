@@ -29,7 +29,7 @@ vec4 ldm_colour(int level) {
   float texel = exp2(float(level));
   vec2 low = vec2(ldm_square.xy), high = low + exp2(float(ldm_square.z));
   vec2 at = clamp(ldm_texel, low + 0.5 * texel, high - 0.5 * texel);
-  return textureLod(ldm_colours, vec3(at / 512.0, float(ldm_square.w)), float(level));
+  return textureLod(ldm_colours, vec3(at / 256.0, float(ldm_square.w)), float(level));
 }
 
 vec3 ldm_normal(vec2 code) {

@@ -1,6 +1,6 @@
 // Mosaics of trees: rectangles that stay as they were seen from their side.
 struct LdmBlock {
-  uint xy, rest;  // rest: page, shrink, column, row; a byte each
+  uint page, picture;  // x, y, page, shrink; column, row, pixel; a byte each
 };
 struct LdmMosaic {
   uint block_depth, box;
@@ -44,18 +44,18 @@ void main() {
   LdmSideHead side = ldm_sides[item.side];
   LdmBlock block = ldm_blocks[side.first_block + (mosaic.block_depth & 0xffffu)];
   const uvec4 bytes = uvec4(0u, 8u, 16u, 24u);
-  uvec4 rest = uvec4(block.rest) >> bytes & 255u, box = uvec4(mosaic.box) >> bytes & 255u;
+  uvec4 page = uvec4(block.page) >> bytes & 255u, picture = uvec4(block.picture) >> bytes & 255u, box = uvec4(mosaic.box) >> bytes & 255u;
   vec2 at = vec2(corner == 1u || corner == 2u ? box.z : box.x, corner >= 2u ? box.w : box.y);
   LdmTree tree = ldm_trees[item.tree];
-  vec2 middle = 32.0 * vec2(rest.zw) + 0.5 * vec2(box.xy + box.zw), off = at - 0.5 * vec2(box.xy + box.zw);
+  float pixel = float(picture.z);
+  vec2 middle = pixel * (32.0 * vec2(picture.xy) + 0.5 * vec2(box.xy + box.zw)), off = pixel * (at - 0.5 * vec2(box.xy + box.zw));
   vec3 p = (side.origin + middle.x * side.right + middle.y * side.up +
             float(mosaic.block_depth >> 16u) * side.inward).xyz;
   vec3 towards = normalize(-side.inward.xyz);
   p += turned(off.x * side.right.xyz + off.y * side.up.xyz, towards, tree.to_eye);
   out_rel = vec3(dot(tree.row_x, vec4(p, 1.0)), dot(tree.row_y, vec4(p, 1.0)), dot(tree.row_z, vec4(p, 1.0)));
-  uvec2 xy = uvec2(block.xy & 0xffffu, block.xy >> 16u);
-  out_texel = vec2(xy) + at * exp2(-float(rest.y));
-  out_square = uvec4(xy, 5u - rest.y, side.first_page + rest.x);
+  out_texel = vec2(page.xy) + at * exp2(-float(page.w));
+  out_square = uvec4(page.xy, 5u - page.w, side.first_page + page.z);
   vec3 x = vec3(tree.row_x.x, tree.row_y.x, tree.row_z.x), z = vec3(tree.row_x.z, tree.row_y.z, tree.row_z.z);
   vec3 inverse = 1.0 / vec3(vec2(dot(x, x)), dot(z, z));
   out_normal_x = tree.row_x.xyz * inverse;

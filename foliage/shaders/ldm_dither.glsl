@@ -7,9 +7,14 @@ float pixel_number(uint hash) {
   return fraction_of(mixed(hash + mixed(at.x + mixed(at.y))));
 }
 
+// Spread more evenly over neighbours.  [Jimenez 2014, interleaved gradient noise]
+float even_number(uint hash) {
+  return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))) + fraction_of(hash));
+}
+
 // Both numbers are spread evenly over the pixel's samples. They must not depend on each other.
 uint shown_samples(float alpha) {
-  float choice = pixel_number(ldm_hash.x), covered = pixel_number(ldm_hash.y);
+  float choice = pixel_number(ldm_hash.x), covered = even_number(ldm_hash.y);
   uint mask = 0u, turn = ldm_hash.y >> 7u;
   for (uint s = 0u; s < samples; ++s) {
     float part = fract(choice + float(s) / float(samples));

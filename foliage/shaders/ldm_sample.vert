@@ -1,4 +1,6 @@
 // Quads as parallel rays see them, of a slab of their plant.
+layout(std430, binding = 0) readonly buffer SlabQuads { uint slab_quads[]; };
+
 layout(location = 0) uniform vec3 centre;
 layout(location = 2) uniform vec3 right;
 layout(location = 3) uniform vec3 up;
@@ -14,7 +16,7 @@ layout(location = 3) flat out uint out_hash;
 
 void main() {
   const uint corners[6] = uint[](0u, 1u, 2u, 0u, 2u, 3u);
-  uint quad = uint(gl_VertexID) / 6u, corner = corners[uint(gl_VertexID) % 6u];
+  uint quad = slab_quads[uint(gl_VertexID) / 6u], corner = corners[uint(gl_VertexID) % 6u];
   uvec4 bits = quads[quad].corners[corner];
   bool leaf = quad >= first_leaf;
   vec3 d = uintBitsToFloat(bits.xyz) - centre;

@@ -53,7 +53,7 @@ void split_slowly(const LdmPlace& place, const LdmOptions& o, double radius, dou
       xs.insert(x), ys.insert(y), depths.push_back(d);
     }
   if (depths.empty()) return;
-  const long double mean = depth / alpha, slab = 2 * radius / o.layers;
+  const long double mean = depth / alpha, slab = 2 * radius / place.image.layers;
   long double off = 0;
   for (const long double d : depths) off = std::max(off, std::abs(d - mean));
   const long double away = distance - radius + mean * slab, diff = off * slab;
@@ -67,7 +67,7 @@ void split_slowly(const LdmPlace& place, const LdmOptions& o, double radius, dou
     return;
   }
   const auto byte = [](int v) { return static_cast<std::uint8_t>(v); };
-  out.push_back({0, static_cast<std::uint16_t>(std::lround(65535 * mean / o.layers)), byte(*xs.begin()),
+  out.push_back({0, static_cast<std::uint16_t>(std::lround(65535 * mean / place.image.layers)), byte(*xs.begin()),
                  byte(*ys.begin()), byte(*xs.rbegin() + 1), byte(*ys.rbegin() + 1)});
 }
 
@@ -149,9 +149,9 @@ TEST_CASE("ring weights run from one level to the next") {
   const LdmPack& pack = both_kinds()[1];
   CHECK(ldm_ring(pack, 0).level == 0);
   CHECK(ldm_ring(pack, 1e9).level == kLdmLevels - 1);
-  for (double d = 1; d < 300; d *= 1.01) {
+  for (double d = 1; d < 3000; d *= 1.01) {
     const LdmRing ring = ldm_ring(pack, d);
-    CHECK(ring.level + (ring.next > 0 ? 1 : 0) < kLdmLevels);
+    CHECK(ring.level + (ring.next > 0 ? 1 : 0) < level_count(pack.options));
     // Never a level that is made for farther away.
     if (ring.level > 0) CHECK(pack.distance_of(ring.level) <= d);
     CHECK(ring.next < 1);
@@ -193,7 +193,7 @@ TEST_CASE("what is hidden may be coarser") {
   CHECK(plain.aware == plain.adaptive);
   CHECK(aware.adaptive == plain.adaptive);
   CHECK(aware.aware < aware.adaptive);
-  CHECK(aware.raw == 18.0 * 6 * 256 * 256);
+  CHECK(aware.raw == 18.0 * (6 * 256 * 256 + 3 * 64 * 64 + 2 * 32 * 32));
 }
 
 TEST_CASE("normals of texels come back") {
@@ -237,7 +237,8 @@ TEST_CASE("mosaics of a level hold every visible pixel once") {
   for (std::size_t s = 0; s < pack.sides.size(); ++s) {
     double visible = 0;
     for (const LdmTexel& texel : images[s].texels) visible += texel.colour[3] > 0 ? 1 : 0;
-    for (const Run& run : pack.sides[s].mosaics) {
+    for (int level = 0; level < level_count(pack.options); ++level) {
+      const Run run = pack.sides[s].mosaics[static_cast<std::size_t>(level)];
       std::set<std::array<int, 3>> pixels;
       double held = 0, area = 0;
       for (std::uint32_t i = run.first; i < run.last; ++i) {
@@ -259,6 +260,31 @@ TEST_CASE("mosaics of a level hold every visible pixel once") {
       CHECK(held >= visible);
     }
   }
+}
+
+TEST_CASE("coarser pictures cover as much as finer ones from the front") {
+  const LdmImage image = blobs(6, 3, 300);
+  const auto covered = [](const LdmImage& picture) {
+    double sum = 0;
+    for (int y = 0; y < picture.pixels; ++y)
+      for (int x = 0; x < picture.pixels; ++x) {
+        double open = 1;
+        for (int layer = 0; layer < picture.layers; ++layer) open *= 1 - picture.at(layer, x, y).colour[3] / 255.0;
+        sum += (1 - open) / (picture.pixels * picture.pixels);
+      }
+    return sum;
+  };
+  const LdmImage flat = coarser(image, 4, 1), halves = coarser(image, 1, 2);
+  CHECK(flat.pixels == 64);
+  CHECK(covered(flat) == Approx(covered(image)).margin(1e-3));
+  CHECK(covered(halves) == Approx(covered(image)).margin(1e-3));
+  for (int y = 0; y < 256; ++y)
+    for (int x = 0; x < 256; ++x) {
+      const LdmTexel &first = image.at(1, x, y), &merged = halves.at(0, x, y);
+      if (image.at(0, x, y).colour[3] > 0 || first.colour[3] != 255) continue;
+      CHECK(std::abs(merged.colour[1] - first.colour[1]) <= 1);  // what is behind is hidden
+      CHECK(std::abs(merged.depth - (255 + first.depth) / 3) <= 1);
+    }
 }
 
 TEST_CASE("squares in pages lie on their own multiples and never on each other") {
@@ -307,7 +333,8 @@ TEST_CASE("packs that would be drawn from elsewhere are refused") {
   refuses([](LdmPack& p) { p.sides[3].up.x = std::nanf(""); });
   refuses([](LdmPack& p) { p.blocks[5].page = 255; });
   refuses([](LdmPack& p) { p.blocks[5].shrink = 6; });
-  refuses([](LdmPack& p) { p.blocks[5].x = 511; });
+  refuses([](LdmPack& p) { p.blocks[5].x = 255; });
+  refuses([](LdmPack& p) { p.blocks[5].pixel = 255; });
   refuses([](LdmPack& p) { p.mosaics[5].right = 33; });
   refuses([](LdmPack& p) { p.mosaics[5].left = p.mosaics[5].right; });
   refuses([](LdmPack& p) { p.mosaics[5].block = 65535; });
