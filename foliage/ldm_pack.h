@@ -44,9 +44,9 @@ inline constexpr int kLdmLevels = 6;
 struct LdmPictures {
   int first, last;
   int pixel;   ///< in finest pixels
-  int layers;  ///< 0: those of the options
+  int layers;  ///< at most, of as many as divide those of the options
 };
-inline constexpr std::array<LdmPictures, 3> kLdmPictures{{{0, 4, 1, 0}, {4, 5, 4, 3}, {5, 6, 8, 2}}};
+inline constexpr std::array<LdmPictures, 3> kLdmPictures{{{0, 4, 1, 64}, {4, 5, 4, 6}, {5, 6, 8, 3}}};
 
 inline int level_count(const LdmOptions& options) { return options.sides == LdmSides::paper ? 4 : kLdmLevels; }
 

@@ -1,6 +1,7 @@
 #include "foliage/ldm_texture.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "foliage/leaf_image.h"
@@ -86,20 +87,20 @@ LdmTexel ldm_mean(const std::array<const LdmTexel*, 4>& parts) {
   return sum.mean(alpha);
 }
 
-LdmImage coarser(const LdmImage& image, int pixel, int layers) {
-  LdmImage out(layers, image.pixels / pixel);
-  const int thick = (image.layers + layers - 1) / layers;
-  for (int layer = 0; layer < layers; ++layer)
+LdmImage coarser(const LdmImage& image, int pixel, int merged) {
+  assert(image.pixels % pixel == 0 && image.layers % merged == 0);
+  LdmImage out(image.layers / merged, image.pixels / pixel);
+  for (int layer = 0; layer < out.layers; ++layer)
     for (int y = 0; y < out.pixels; ++y)
       for (int x = 0; x < out.pixels; ++x) {
         LdmSum sum;
         for (int i = 0; i < pixel * pixel; ++i) {
           float open = 1;
-          for (int part = 0; part < thick && layer * thick + part < image.layers; ++part) {
-            LdmTexel texel = image.at(layer * thick + part, x * pixel + i % pixel, y * pixel + i / pixel);
+          for (int part = 0; part < merged; ++part) {
+            LdmTexel texel = image.at(layer * merged + part, x * pixel + i % pixel, y * pixel + i / pixel);
             const float alpha = static_cast<float>(texel.colour[3]) / 255;
             if (alpha == 0) continue;
-            texel.depth = static_cast<std::uint8_t>((part * 255 + texel.depth) / thick);
+            texel.depth = static_cast<std::uint8_t>((part * 255 + texel.depth) / merged);
             sum.add(texel, open * alpha);
             open *= 1 - alpha;
           }

@@ -36,9 +36,8 @@ class LdmSum {
 /// By alpha.
 LdmTexel ldm_mean(const std::array<const LdmTexel*, 4>& parts);
 
-/// So many pixels as one, so many layers in place of more: nearer ones before those behind. `layers` divides the
-/// image's, or the last is thinner.
-LdmImage coarser(const LdmImage& image, int pixel, int layers);
+/// So many pixels a side as one, so many layers as one: nearer ones before those behind. Both divide the image's.
+LdmImage coarser(const LdmImage& image, int pixel, int merged);
 
 /// Half as many texels a side.
 LdmSquare halved(const LdmSquare& square);

@@ -61,7 +61,7 @@ class Maker {
     for (const LdmPictures& pictures : kLdmPictures) {
       if (pictures.first >= level_count(pack_.options)) continue;
       const bool finest = pictures.pixel == 1;
-      add_pictures(finest ? image : coarser(image, pictures.pixel, pictures.layers), pictures, side);
+      add_pictures(finest ? image : coarser(image, pictures.pixel, merged_layers(pictures)), pictures, side);
     }
   }
 
@@ -73,6 +73,13 @@ class Maker {
   }
 
  private:
+  int merged_layers(const LdmPictures& pictures) const {
+    const int layers = pack_.options.layers;
+    int merged = 1;
+    while (layers % merged != 0 || layers / merged > pictures.layers) ++merged;
+    return merged;
+  }
+
   void add_pictures(const LdmImage& image, const LdmPictures& pictures, LdmSide& side) {
     tally_.raw += static_cast<double>(image.texels.size());
     std::vector<MadeBlock> blocks = blocks_of(image, pictures);
