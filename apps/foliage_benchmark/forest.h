@@ -24,10 +24,9 @@ std::uint64_t full_primitives(const Stage& stage, std::span<const foliage::Run> 
 Shot screen_shot(const Vec3d& eye, const Vec3d& forward, int height_px);
 
 std::vector<Extent> extents_of(std::span<const foliage::PreparedPlant> plants);
-double widest(std::span<const foliage::PreparedPlant> plants);  ///< radius of the widest crown, m
-std::uint64_t covered(const Picture& picture);                  ///< pixels that plants cover, however little
+std::uint64_t covered(const Picture& picture);  ///< pixels that plants cover, however little
 
-/// Over a forest that reaches so far to all sides, then down into it.
-std::vector<Shot> forest_path(double half_m, int frames, int height_px, const foliage::PreparedPlant& plant);
+/// Over a forest that reaches so far to all sides and so high, then down into it.
+std::vector<Shot> forest_path(double half_m, int frames, int height_px, double top_m);
 
 }  // namespace manzana::foliage_benchmark

@@ -41,18 +41,6 @@ std::vector<PreparedPlant> source_trees() {
   return plants;
 }
 
-/// Over the forest, then down into it.
-std::vector<Shot> forest_path(double half_m, int frames, int height_px, double top) {
-  std::vector<Shot> shots;
-  for (int i = 0; i < frames; ++i) {
-    const double t = frames > 1 ? static_cast<double>(i) / (frames - 1) : 0;
-    const double height = t < 0.5 ? top * (6 - 8 * t) : std::max(1.7, top * (4 - 6 * t));
-    const Vec3d eye(-half_m * (1.1 - 1.2 * t), half_m * 0.1 * std::sin(6 * t), height);
-    shots.push_back(screen_shot(eye, {1, 0.2 * std::cos(5 * t), -0.35 + 0.4 * t}, height_px));
-  }
-  return shots;
-}
-
 struct Forest {
   std::vector<PreparedPlant> plants;
   double half_m;

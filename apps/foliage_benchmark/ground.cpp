@@ -11,17 +11,6 @@ namespace {
 
 using foliage::Law;
 
-std::vector<Extent> extents_of(std::span<const foliage::PreparedPlant> plants) {
-  std::vector<Extent> extents;
-  std::transform(plants.begin(), plants.end(), std::back_inserter(extents), extent_of);
-  return extents;
-}
-
-std::uint64_t covered(const Picture& picture) {
-  return static_cast<std::uint64_t>(
-      std::count_if(picture.texels.begin(), picture.texels.end(), [](const Vec4& t) { return t.w > 0; }));
-}
-
 }  // namespace
 
 Ground::Ground(std::span<const foliage::PreparedPlant> plants, const std::vector<foliage::TreeSite>& sites,

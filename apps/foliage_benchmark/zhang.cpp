@@ -245,10 +245,11 @@ class PackForest {
 void add_forest(const Effort& effort, std::span<const PreparedPlant> plants, Times& times) {
   const auto species = plants.first(std::min<std::size_t>(plants.size(), 7));
   const std::uint32_t trees = effort.quick ? 200 : 4000;
-  const double spacing = 1.8 * widest(species), half = spacing * std::sqrt(trees) / 2;
+  const double spacing = closed_spacing(species), half = spacing * std::sqrt(trees) / 2;
   Lazy<PackForest> forest([&] { return PackForest(species, make_forest(species, trees, spacing, 3)); });
   int frame = 0;
-  for (const Shot& shot : forest_path(half, effort.quick ? 2 : 6, effort.screen_height(), species.front()))
+  for (const Shot& shot :
+       forest_path(half, effort.quick ? 2 : 6, effort.screen_height(), static_cast<double>(species.front().height_m)))
     times.add({.table = kForest,
                .plant = std::to_string(species.size()) + " species",
                .way = "dithered, frame " + std::to_string(frame++),
