@@ -49,6 +49,8 @@ void check(const LdmPack& pack) {
   if (o.layers < 1 || o.sides > LdmSides::octahedral || !(o.focal_px > 0 && o.focal_px < 1e6) ||
       !(o.nearest_radii > 1 && o.nearest_radii < 1e6))
     fail("its options are out of range");
+  for (const float grown : pack.grown)
+    if (!(std::abs(grown) <= 1)) fail("its mosaics grow out of range");
   if (pack.sides.size() != ldm_directions(o.sides).size()) fail("it has not as many sides as its kind");
   if (pack.colour.size() != pack.surface.size() || pack.colour.size() % (4 * kLdmPage * kLdmPage) != 0)
     fail("its pages are not whole");

@@ -101,6 +101,9 @@ struct LdmPack {
   LdmOptions options;
   Vec3 centre{0};
   float radius = 1;  ///< of the ball, m
+  /// By how much a level's mosaics grow, times 1 - cosine, as they turn to the eye: so that it covers as much as the
+  /// plant (foliage/ldm_cover.h).
+  std::array<float, kLdmLevels> grown{};
   std::vector<LdmSide> sides;
   std::vector<LdmBlock> blocks;
   std::vector<LdmMosaic> mosaics;

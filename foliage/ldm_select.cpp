@@ -13,7 +13,7 @@ namespace {
 struct Share {
   std::uint32_t tree, side;
   Run mosaics;
-  float low, high;
+  float low, high, grown;
 };
 
 /// As place_tree() of foliage/shaders/select.glsl.
@@ -79,7 +79,8 @@ class Chooser {
         const LdmSide& side = table_.packs[plant].sides[weights.side[i]];
         Run run = side.mosaics[static_cast<std::size_t>(ring.level + step)];
         run.first += table_.first_mosaic[plant], run.last += table_.first_mosaic[plant];
-        ranks_[rank++].push_back({tree, table_.first_side[plant] + weights.side[i], run, low, low + weight});
+        ranks_[rank++].push_back({tree, table_.first_side[plant] + weights.side[i], run, low, low + weight,
+                                  table_.packs[plant].grown[static_cast<std::size_t>(ring.level + step)]});
         low += weight;
       }
     }
@@ -88,7 +89,7 @@ class Chooser {
 
   void write(const Share& share) {
     const auto item = static_cast<std::uint32_t>(out_.items.size());
-    out_.items.push_back({share.tree, share.side, share.mosaics.last, 0, share.low, share.high, 0, 0});
+    out_.items.push_back({share.tree, share.side, share.mosaics.last, 0, share.low, share.high, share.grown, 0});
     for (std::uint32_t m = share.mosaics.first; m < share.mosaics.last; m += glsl::kLdmGroup)
       out_.groups.emplace_back(item, m);
     out_.mosaics += share.mosaics.size();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "foliage/ldm_cover.h"
 #include "foliage/ldm_mosaics.h"
 #include "foliage/ldm_pages.h"
 #include "foliage/ldm_texture.h"
@@ -65,8 +66,9 @@ class Maker {
     }
   }
 
-  LdmPack finish(LdmTally* tally) {
+  LdmPack finish(const SampleLdm& sample, LdmTally* tally) {
     fill_pages();
+    if (pack_.options.sides != LdmSides::paper) fit_grown(pack_, seen_from(sample));
     if (tally != nullptr) *tally = tally_;
     check(pack_);
     return std::move(pack_);
@@ -78,6 +80,17 @@ class Maker {
     int merged = 1;
     while (layers % merged != 0 || layers / merged > pictures.layers) ++merged;
     return merged;
+  }
+
+  std::vector<LdmSeenFrom> seen_from(const SampleLdm& sample) const {
+    std::vector<LdmSeenFrom> seen;
+    for (const Vec3d& to_eye : ldm_fitting_directions()) {
+      const LdmImage image = sample({to_eye, ball_.centre, ball_.radius, kLdmPixels}, 1);
+      double sum = 0;
+      for (const LdmTexel& texel : image.texels) sum += texel.colour[3];
+      seen.push_back({to_eye, sum / (255.0 * static_cast<double>(image.texels.size()))});
+    }
+    return seen;
   }
 
   void add_pictures(const LdmImage& image, const LdmPictures& pictures, LdmSide& side) {
@@ -212,7 +225,7 @@ LdmPack make_ldm_pack(const Ball& ball, const LdmOptions& options, const SampleL
     maker.add_side(directions[i], sample);
     tell(progress, i + 1, directions.size());
   }
-  return maker.finish(tally);
+  return maker.finish(sample, tally);
 }
 
 }  // namespace manzana::foliage

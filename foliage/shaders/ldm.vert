@@ -21,18 +21,6 @@ layout(location = 5) flat out vec3 out_normal_z;
 layout(location = 6) flat out vec3 out_share;  // low, high; tint
 layout(location = 7) flat out uvec2 out_hash;  // of the tree, of the mosaic
 
-// What clumps look like from beside what they were seen from: between two sides, 22 degrees from either, an oak covers
-// 2 % too little without it and a birch 3 %.
-const float kGrown = 0.3;
-
-// A vector across `towards`, when that is turned to the eye.
-vec3 turned(vec3 across, vec3 towards, vec3 to_eye) {
-  if (to_eye == vec3(0.0)) return across;
-  float cosine = dot(towards, to_eye);
-  vec3 turned = across - (towards + to_eye) * (dot(across, to_eye) / max(1.0 + cosine, 0.1));
-  return turned * (1.0 + kGrown * (1.0 - cosine));
-}
-
 void main() {
   uint slot = uint(gl_VertexID) >> 2u, corner = uint(gl_VertexID) & 3u;
   uvec2 group = ldm_groups[slot / kLdmGroup];
@@ -52,7 +40,7 @@ void main() {
   vec3 p = (side.origin + middle.x * side.right + middle.y * side.up +
             float(mosaic.block_depth >> 16u) * side.inward).xyz;
   vec3 towards = normalize(-side.inward.xyz);
-  p += turned(off.x * side.right.xyz + off.y * side.up.xyz, towards, tree.to_eye);
+  p += turned(off.x * side.right.xyz + off.y * side.up.xyz, towards, tree.to_eye, item.grown);
   out_rel = vec3(dot(tree.row_x, vec4(p, 1.0)), dot(tree.row_y, vec4(p, 1.0)), dot(tree.row_z, vec4(p, 1.0)));
   out_texel = vec2(page.xy) + at * exp2(-float(page.w));
   out_square = uvec4(page.xy, 5u - page.w, side.first_page + page.z);

@@ -2,14 +2,19 @@
 // So a crown is as opaque on the way from one to the next as at either end, in any order.  [numerics 13.4]
 layout(location = 1) uniform uint samples;
 
+const uint kTile = 8u;
+
 float pixel_number(uint hash) {
   uvec2 at = uvec2(gl_FragCoord.xy);
   return fraction_of(mixed(hash + mixed(at.x + mixed(at.y))));
 }
 
-// Spread more evenly over neighbours.  [Jimenez 2014, interleaved gradient noise]
+// Spread more evenly over neighbours; shifted anew for every few pixels, so that two mosaics hide as much of each other
+// as chance would have it.  [Jimenez 2014, interleaved gradient noise]
 float even_number(uint hash) {
-  return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))) + fraction_of(hash));
+  uvec2 tile = uvec2(gl_FragCoord.xy) / kTile;
+  float shift = fraction_of(mixed(hash + mixed(tile.x + mixed(tile.y))));
+  return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))) + shift);
 }
 
 // Both numbers are spread evenly over the pixel's samples. They must not depend on each other.

@@ -10,7 +10,9 @@ struct LdmTree {
 // Mosaics [.., last) of a side of a tree. Of each pixel's numbers in [0, 1) those in [low, high) show it.
 struct LdmItem {
   uint tree, side, last, spare;
-  float low, high, spare0, spare1;
+  float low, high;
+  float grown;  // foliage/shaders/ldm_turn.glsl
+  float spare0;
 };
 
 // A side of a pack. A place in it: origin + x right + y up + depth inward; x and y in pixels of its pictures, depth in

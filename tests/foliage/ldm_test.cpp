@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "foliage/ldm_cover.h"
 #include "foliage/ldm_mosaics.h"
 #include "foliage/ldm_pages.h"
 #include "foliage/ldm_select.h"
@@ -287,6 +288,44 @@ TEST_CASE("coarser pictures cover as much as finer ones from the front") {
     }
 }
 
+TEST_CASE("a side covers from itself what its picture does however much it grows") {
+  const LdmPack pack = pack_of_blobs();
+  const LdmAlphas alphas(pack);
+  for (const std::uint32_t side : {0U, 7U, 17U}) {
+    const LdmImage image = blobs(6, side + 1);
+    double covered = 0;
+    for (std::size_t i = 0; i < image.index(1, 0, 0); ++i) {
+      double open = 1;
+      for (int layer = 0; layer < 6; ++layer) open *= 1 - image.texels[image.index(layer, 0, 0) + i].colour[3] / 255.0;
+      covered += (1 - open) / (kLdmPixels * kLdmPixels);
+    }
+    for (const auto& [level, pixels] : {std::pair{0, 256}, {1, 100}, {3, 64}, {4, 64}, {5, 32}})
+      CHECK(ldm_cover(pack, alphas, side, level, Vec3d(pack.sides[side].towards), 0.7F, pixels) ==
+            Approx(covered).epsilon(0.03));
+  }
+}
+
+TEST_CASE("mosaics grow until a level covers from between its sides what is asked") {
+  LdmPack pack = pack_of_blobs();
+  const LdmAlphas alphas(pack);
+  constexpr float kAsked = 0.45F;
+  std::vector<LdmSeenFrom> seen;
+  const auto cover_of = [&](const Vec3d& to_eye, float grown) {
+    const LdmWeights weights = ldm_weights(pack, Vec3(to_eye));
+    double cover = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      cover += static_cast<double>(weights.weight[i]) * ldm_cover(pack, alphas, weights.side[i], 4, to_eye, grown, 41);
+    return cover;
+  };
+  for (const Vec3d& to_eye : ldm_fitting_directions()) seen.push_back({to_eye, cover_of(to_eye, kAsked)});
+  fit_grown(pack, seen);
+  double covers = 0, asked = 0;
+  for (const LdmSeenFrom& one : seen) covers += cover_of(one.to_eye, pack.grown[4]), asked += one.cover;
+  CHECK(covers == Approx(asked).epsilon(0.005));
+  CHECK(pack.grown[4] > 0.2F);
+  CHECK(pack_of_blobs({.sides = LdmSides::paper}).grown[4] == 0);
+}
+
 TEST_CASE("squares in pages lie on their own multiples and never on each other") {
   support::Random random(6);
   std::vector<int> sides;
@@ -327,6 +366,7 @@ TEST_CASE("packs that would be drawn from elsewhere are refused") {
     CHECK_THROWS_AS(check(bad), std::invalid_argument);
   };
   CHECK_NOTHROW(check(good));
+  refuses([](LdmPack& p) { p.grown[2] = std::nanf(""); });
   refuses([](LdmPack& p) { p.radius = std::nanf(""); });
   refuses([](LdmPack& p) { p.sides.pop_back(); });
   refuses([](LdmPack& p) { p.sides[3].mosaics[1].last = 1U << 30; });
