@@ -2,33 +2,20 @@
 
 #include <tbb/task_arena.h>
 
-#include <GeographicLib/Geocentric.hpp>
 #include <algorithm>
 #include <stdexcept>
 
-#include "foliage/import/load_plant.h"
-#include "foliage/import/species.h"
+#include "scenegraph/earth_centred.h"
 #include "scenegraph/import/osm_file.h"
-#include "scenegraph/import/tree_species.h"
+#include "scenegraph/import/scene_plants.h"
 
 namespace manzana {
 namespace {
 
 std::vector<foliage::PreparedPlant> plants_of(const Scene& scene, const LoadOptions& options,
                                               const Progress& progress) {
-  std::vector<foliage::PreparedPlant> plants(kPlantSpecies);
-  const auto stands = species_in(scene);
-  for (std::size_t i = 0; i < plants.size(); ++i) {
-    if (!stands[i] || !options.trees) continue;
-    foliage::PrepareOptions how;
-    how.visibility_side = 0;
-    how.progress = [&](double done) {
-      if (progress) progress("plants", (static_cast<double>(i) + done) / static_cast<double>(plants.size()));
-    };
-    plants[i] = foliage::grow_or_prepare(foliage::kSpeciesNames[i], options.seed, options.plant_cache, how,
-                                         [](const std::string&) {});
-  }
-  return plants;
+  if (!options.trees) return std::vector<foliage::PreparedPlant>(kPlantSpecies);
+  return scene_plants(scene, {options.seed, options.plant_cache}, progress, [](const std::string&) {});
 }
 
 std::shared_ptr<const Model> make_model(Imported imported, const LoadOptions& options, const Progress& progress) {
@@ -66,18 +53,7 @@ std::shared_ptr<const Model> Model::load(std::span<const char> bytes, const std:
 
 std::shared_ptr<Nodes> Model::new_nodes() const { return std::make_shared<Nodes>(scene()); }
 
-Mat4d Model::local_to_ecef() const {
-  const GeoPoint& anchor = frame().anchor();
-  std::vector<double> axes(9);
-  Vec3d origin;
-  GeographicLib::Geocentric::WGS84().Forward(anchor.lat_deg, anchor.lon_deg, anchor.height_m, origin.x, origin.y,
-                                             origin.z, axes);
-  Mat4d to(1);  // `axes` is row by row: ECEF from east, north, up
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 3; ++column) to[column][row] = axes[static_cast<std::size_t>(3 * row + column)];
-  to[3] = glm::dvec4(origin, 1);
-  return to;
-}
+Mat4d Model::local_to_ecef() const { return manzana::local_to_ecef(frame()); }
 
 Feature Model::feature(FeatureId id) const {
   const Scene& scene = imported_.scene;

@@ -1,5 +1,6 @@
-// manzana-bake: prepares plants ahead of time.
-// SHOWS: load_plant, prepare, bake_visibility, write_prepared. READ FIRST: foliage/prepare.h.
+// manzana-bake: prepares plants ahead of time, and writes cities for other programs.
+// SHOWS: load_plant, prepare, bake_visibility, write_prepared; import_city, write_tiles. READ FIRST: foliage/prepare.h,
+// scenegraph/export/tiles.h.
 #include <chrono>
 #include <cstdio>
 #include <stdexcept>
@@ -8,6 +9,8 @@
 #include "apps/bake/report.h"
 #include "apps/common/progress_bar.h"
 #include "foliage/import/plant_cache.h"
+#include "scenegraph/export/tiles.h"
+#include "scenegraph/import/scene_plants.h"
 
 namespace {
 
@@ -41,7 +44,7 @@ std::pair<foliage::PreparedPlant, std::string> prepared(const foliage::Plant& pl
   }
 }
 
-int run(const bake::Options& options) {
+int bake_plant(const bake::Options& options) {
   const double start = seconds_now();
   const foliage::PlantReading reading = foliage::load_plant(options.source);
   print(bake::source_report(reading));
@@ -55,10 +58,39 @@ int run(const bake::Options& options) {
   return 0;
 }
 
+Imported read(const bake::Options& options, const Progress& show) {
+  Imported city = import_city(options.city, options.import, show);
+  if (!city.issues.empty())
+    std::printf("issues     %zu of the file, as the walkthrough lists them\n", city.issues.size());
+  return city;
+}
+
+int bake_tiles(const bake::Options& options) {
+  const double start = seconds_now();
+  apps::ProgressBar bar(stderr);
+  const Progress show = [&](std::string_view stage, double done) { bar.show(stage, done); };
+  const Imported city = read(options, show);
+  const auto tell = [](const std::string& line) { print(line + "\n"); };
+  const auto plants = scene_plants(city.scene, {options.import.seed, foliage::default_cache_folder()}, show, tell);
+  const double imported = seconds_now();
+  const TilesWritten written = write_tiles(city.scene, plants, options.out, show);
+  std::printf("tileset    %zu tiles, %zu files, %.1f MB; %zu buildings, %zu trees\n", written.tiles, written.files,
+              static_cast<double>(written.bytes) / 1e6, written.buildings, written.trees);
+  std::printf("seconds    %.2f to import, %.2f to write %s\n", imported - start, seconds_now() - imported,
+              options.out.c_str());
+  return 0;
+}
+
+int run(const bake::Options& options) {
+  return options.command == bake::Command::tiles ? bake_tiles(options) : bake_plant(options);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const bake::Parsed parsed = bake::parse_options(argc, argv);
   if (!parsed.options) return apps::reply(parsed);
-  return apps::guarded("manzana-bake", parsed.options->source.file.string(), [&] { return run(*parsed.options); });
+  const bake::Options& options = *parsed.options;
+  const std::string subject = options.city.empty() ? options.source.file.string() : options.city;
+  return apps::guarded("manzana-bake", subject, [&] { return run(options); });
 }

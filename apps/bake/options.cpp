@@ -7,26 +7,27 @@ namespace manzana::bake {
 namespace {
 
 constexpr const char* kAbout =
-    "Prepare what is drawn, so that drawing does not wait for it.\n"
+    "Prepare what is drawn, so that drawing does not wait for it, and write cities for other programs.\n"
     "Exit: 0 success, 1 bad input, 2 wrong usage.";
 constexpr const char* kPlant =
     "Prepare a plant for every distance, and say what was taken for what. FILE is glTF (.glb, .gltf),\n"
     "OBJ (.obj), L-systems or the parameters of a species (.json); FILE#NAME chooses one of several\n"
     "L-systems.";
 
-}  // namespace
+constexpr const char* kTiles =
+    "Write a city as a 3D Tiles 1.1 tileset, for CesiumJS and others: DIR/tileset.json and DIR/tiles/*.glb. Tiles are\n"
+    "the nodes and blocks of the BqR-Tree. DIR is made, whole or not at all.";
 
-Parsed parse_options(int argc, const char* const* argv) {
-  CLI::App app(kAbout, "manzana-bake");
-  app.set_version_flag("--version", "manzana-bake " MANZANA_VERSION);
-  app.require_subcommand(1);
+struct Texts {
   std::string source, visibility = "best";
-  Options options;
+};
+
+CLI::App* add_plant(CLI::App& app, Options& options, Texts& texts) {
   CLI::App* plant = app.add_subcommand("plant", kPlant);
-  plant->add_option("FILE", source, "what to read")->required();
+  plant->add_option("FILE", texts.source, "what to read")->required();
   plant->add_option("-o,--out", options.out, "the prepared plant to write, FILE.plant")->required();
   plant
-      ->add_option("--visibility", visibility,
+      ->add_option("--visibility", texts.visibility,
                    "who counts what is seen of each cell of leaves: gpu, cpu, queries (occlusion queries on the GPU,\n"
                    "the reference), none; best: the GPU, or the CPU where GL is software or absent")
       ->check([](const std::string& name) -> std::string {
@@ -37,9 +38,34 @@ Parsed parse_options(int argc, const char* const* argv) {
         }
       })
       ->capture_default_str();
+  return plant;
+}
+
+/// What every command does alike that takes a city.
+CLI::App* add_city_command(CLI::App& app, const char* name, const char* about, const char* out, Options& options) {
+  CLI::App* command = app.add_subcommand(name, about);
+  command->add_option("CITY", options.city, "builtin:town, or a file of OpenStreetMap or CityJSON")->required();
+  command->add_option("-o,--out", options.out, out)->required();
+  command->add_option("--seed", options.import.seed, "of scattered trees and the built-in town")->capture_default_str();
+  command->add_option("--crs", options.import.reference_system,
+                      "reference system of files that name none, as EPSG:28992");
+  return command;
+}
+
+}  // namespace
+
+Parsed parse_options(int argc, const char* const* argv) {
+  CLI::App app(kAbout, "manzana-bake");
+  app.set_version_flag("--version", "manzana-bake " MANZANA_VERSION);
+  app.require_subcommand(1);
+  Options options;
+  Texts texts;
+  add_plant(app, options, texts);
+  const CLI::App* tiles = add_city_command(app, "tiles", kTiles, "the folder to write", options);
   if (auto reply = apps::parse(app, argc, argv)) return {std::nullopt, std::move(reply->text), reply->exit_code};
-  options.visibility = visibility_named(visibility);
-  options.source = foliage::parse_plant_source(source);
+  if (tiles->parsed()) options.command = Command::tiles;
+  options.visibility = visibility_named(texts.visibility);
+  options.source = foliage::parse_plant_source(texts.source);
   return {std::move(options), {}, 0};
 }
 

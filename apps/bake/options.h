@@ -7,13 +7,19 @@
 #include "apps/bake/visibility.h"
 #include "apps/common/program.h"
 #include "foliage/import/load_plant.h"
+#include "scenegraph/import/import.h"
 
 namespace manzana::bake {
 
+enum class Command : std::uint8_t { plant, tiles };
+
 struct Options {
-  foliage::PlantSource source;
+  Command command = Command::plant;
   std::filesystem::path out;
+  foliage::PlantSource source;  ///< of a plant
   VisibilityBy visibility = VisibilityBy::best;
+  std::string city;  ///< of all other commands
+  ImportOptions import{.cars = 0};
 };
 
 using Parsed = apps::Parsed<Options>;

@@ -105,6 +105,31 @@ TEST_CASE("bake program: bad input is 1 and one line that names the file and the
   }
 }
 
+TEST_CASE("bake program: a city becomes a tileset with progress and counts") {
+  const TemporaryFolder folder;
+  const Ended ended =
+      run_program(MANZANA_BAKE, folder.path(), {"tiles", MANZANA_VILLAGE, "-o", folder.path() / "tiles"});
+  CAPTURE(ended.err);
+  REQUIRE(ended.code == 0);
+  CHECK_THAT(ended.out, Catch::Contains("tileset ") && Catch::Contains(" buildings, ") && Catch::Contains("seconds "));
+  CHECK_THAT(ended.err, Catch::Contains("tiles: 100 %"));
+  CHECK(std::filesystem::exists(folder.path() / "tiles" / "tileset.json"));
+}
+
+TEST_CASE("bake program: a city that cannot be read or written is 1 and one line and leaves nothing") {
+  const TemporaryFolder folder;
+  const std::string none = folder.path() / "none.osm", tiles = folder.path() / "tiles";
+  const Ended missing = run_program(MANZANA_BAKE, folder.path(), {"tiles", none, "-o", tiles});
+  CHECK(missing.code == 1);
+  CHECK_THAT(missing.err, Catch::StartsWith("manzana-bake: " + none + ": "));
+  CHECK(lines_in(missing.err) == 1);
+  CHECK_FALSE(std::filesystem::exists(tiles));
+  const Ended there = run_program(MANZANA_BAKE, folder.path(), {"tiles", MANZANA_VILLAGE, "-o", folder.path()});
+  CHECK(there.code == 1);
+  CHECK_THAT(there.err, Catch::Contains("is there already, and not empty"));
+  CHECK(run_program(MANZANA_BAKE, folder.path(), {"tiles", MANZANA_VILLAGE}).code == 2);
+}
+
 TEST_CASE("bake program: what cannot be written is told and leaves nothing") {
   const TemporaryFolder folder;
   const Ended ended = run_program(MANZANA_BAKE, folder.path(),
