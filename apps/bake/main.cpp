@@ -9,6 +9,7 @@
 #include "apps/bake/report.h"
 #include "apps/common/progress_bar.h"
 #include "foliage/import/plant_cache.h"
+#include "scenegraph/export/geopackage.h"
 #include "scenegraph/export/tiles.h"
 #include "scenegraph/import/scene_plants.h"
 
@@ -81,8 +82,26 @@ int bake_tiles(const bake::Options& options) {
   return 0;
 }
 
+int bake_geopackage(const bake::Options& options) {
+  apps::ProgressBar bar(stderr);
+  const Progress show = [&](std::string_view stage, double done) { bar.show(stage, done); };
+  const Imported city = read(options, show);
+  const GeopackageWritten written = write_geopackage(city.scene, options.out, show);
+  std::printf("layers     %zu blocks, %zu buildings, %zu trees in %s\n", written.blocks, written.buildings,
+              written.trees, options.out.c_str());
+  return 0;
+}
+
 int run(const bake::Options& options) {
-  return options.command == bake::Command::tiles ? bake_tiles(options) : bake_plant(options);
+  switch (options.command) {
+    case bake::Command::tiles:
+      return bake_tiles(options);
+    case bake::Command::geopackage:
+      return bake_geopackage(options);
+    case bake::Command::plant:
+      break;
+  }
+  return bake_plant(options);
 }
 
 }  // namespace

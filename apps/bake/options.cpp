@@ -18,6 +18,11 @@ constexpr const char* kTiles =
     "Write a city as a 3D Tiles 1.1 tileset, for CesiumJS and others: DIR/tileset.json and DIR/tiles/*.glb. Tiles are\n"
     "the nodes and blocks of the BqR-Tree. DIR is made, whole or not at all.";
 
+constexpr const char* kGeopackage =
+    "Write a city as a GeoPackage, for QGIS and others: layers of blocks, buildings and trees. FILE is replaced, "
+    "whole\n"
+    "or not at all.";
+
 struct Texts {
   std::string source, visibility = "best";
 };
@@ -62,8 +67,11 @@ Parsed parse_options(int argc, const char* const* argv) {
   Texts texts;
   add_plant(app, options, texts);
   const CLI::App* tiles = add_city_command(app, "tiles", kTiles, "the folder to write", options);
+  const CLI::App* geopackage =
+      add_city_command(app, "geopackage", kGeopackage, "the file to write, FILE.gpkg", options);
   if (auto reply = apps::parse(app, argc, argv)) return {std::nullopt, std::move(reply->text), reply->exit_code};
   if (tiles->parsed()) options.command = Command::tiles;
+  if (geopackage->parsed()) options.command = Command::geopackage;
   options.visibility = visibility_named(texts.visibility);
   options.source = foliage::parse_plant_source(texts.source);
   return {std::move(options), {}, 0};

@@ -11,7 +11,7 @@
 
 namespace manzana::bake {
 
-enum class Command : std::uint8_t { plant, tiles };
+enum class Command : std::uint8_t { plant, tiles, geopackage };
 
 struct Options {
   Command command = Command::plant;

@@ -116,6 +116,16 @@ TEST_CASE("bake program: a city becomes a tileset with progress and counts") {
   CHECK(std::filesystem::exists(folder.path() / "tiles" / "tileset.json"));
 }
 
+TEST_CASE("bake program: a city becomes a GeoPackage") {
+  const TemporaryFolder folder;
+  const Ended ended =
+      run_program(MANZANA_BAKE, folder.path(), {"geopackage", MANZANA_VILLAGE, "-o", folder.path() / "city.gpkg"});
+  CAPTURE(ended.err);
+  REQUIRE(ended.code == 0);
+  CHECK_THAT(ended.out, Catch::Contains("layers ") && Catch::Contains(" blocks, ") && Catch::Contains(" trees in "));
+  CHECK(std::filesystem::file_size(folder.path() / "city.gpkg") > 10000);
+}
+
 TEST_CASE("bake program: a city that cannot be read or written is 1 and one line and leaves nothing") {
   const TemporaryFolder folder;
   const std::string none = folder.path() / "none.osm", tiles = folder.path() / "tiles";
