@@ -4,7 +4,7 @@ set -eu
 cd "$(dirname "$0")"
 preset=${1:-release}
 . cmake/scripts/setup.sh
-install_packages
+install_packages packages-test.txt
 if [ -z "${MANZANA_DATA:-}" ] && [ -d ../shared/data ]; then
   MANZANA_DATA=$(cd ../shared/data && pwd)
   export MANZANA_DATA

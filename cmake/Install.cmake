@@ -31,6 +31,8 @@ install(DIRECTORY culling files foliage gl scenegraph manzana DESTINATION ${head
 install(DIRECTORY $<TARGET_PROPERTY:manzana_glad,glad_headers>/ DESTINATION ${headers})
 find_package(PROJ CONFIG QUIET)  # as scenegraph/import has it
 set(with_proj ${PROJ_FOUND})
+find_package(GDAL CONFIG QUIET)
+set(with_gdal ${GDAL_FOUND})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/ManzanaConfig.cmake.in
   ${PROJECT_BINARY_DIR}/ManzanaConfig.cmake INSTALL_DESTINATION ${package})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/ManzanaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
@@ -48,9 +50,12 @@ install_pc(manzana-culling "Frustum culling of cities by a BqR-Tree" manzana_cul
 if(with_proj)
   set(proj proj)
 endif()
+if(with_gdal)
+  set(gdal gdal)
+endif()
 install_pc(manzana "Cities and forests, drawn in another program's window"
   manzana_view manzana_draw manzana_foliage_gl manzana_gl manzana_glad manzana_import manzana_plant_import
   manzana_scenegraph manzana_foliage manzana_files manzana_culling tinygltf meshoptimizer GeographicLib geos_c expat bz2 z
-  lz4 xxhash stb ${proj} hwy tbb EGL pthread)
+  lz4 xxhash stb ${proj} ${gdal} hwy tbb EGL pthread)
 
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -49,7 +49,10 @@ CLI::App* add_plant(CLI::App& app, Options& options, Texts& texts) {
 /// What every command does alike that takes a city.
 CLI::App* add_city_command(CLI::App& app, const char* name, const char* about, const char* out, Options& options) {
   CLI::App* command = app.add_subcommand(name, about);
-  command->add_option("CITY", options.city, "builtin:town, or a file of OpenStreetMap or CityJSON")->required();
+  command
+      ->add_option("CITY", options.city,
+                   "builtin:town, or a file: OpenStreetMap, CityJSON, or footprints and trees (.gpkg, .shp, .geojson)")
+      ->required();
   command->add_option("-o,--out", options.out, out)->required();
   command->add_option("--seed", options.import.seed, "of scattered trees and the built-in town")->capture_default_str();
   command->add_option("--crs", options.import.reference_system,

@@ -1,9 +1,10 @@
 # Sourced by the scripts of the README: installs what packages.txt names and this machine lacks, configures, builds.
+# install_packages FILE...: of other lists as well
 say() { printf '\033[1m== %s\033[0m\n' "$*" >&2; }
 
 install_packages() {
   local missing
-  missing=$(sed 's/#.*//' packages.txt | xargs -r dpkg-query -W -f '${db:Status-Abbrev} ${Package}\n' 2>&1 |
+  missing=$(cat packages.txt "$@" | sed 's/#.*//' | xargs -r dpkg-query -W -f '${db:Status-Abbrev} ${Package}\n' 2>&1 |
     awk '/no packages found matching/ {print $NF; next} $1 != "ii" && $1 != "hi" {print $2}' | sed 's/:.*//')
   [ -z "$missing" ] && return
   say "installing:" $missing

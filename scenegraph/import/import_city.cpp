@@ -1,6 +1,7 @@
 #include <stdexcept>
 
 #include "scenegraph/import/cityjson.h"
+#include "scenegraph/import/gis_vectors.h"
 #include "scenegraph/import/import.h"
 
 namespace manzana {
@@ -8,6 +9,7 @@ namespace manzana {
 CityFeatures read_city(const std::string& city, const ImportOptions& options, const Progress& progress) {
   if (city == "builtin:town") return make_town(options.seed);
   if (city.starts_with("builtin:")) throw std::runtime_error(city + ": there is only builtin:town");
+  if (is_gis_vectors(city)) return read_gis_vectors(city, {}, options);
   return is_cityjson(city) ? read_cityjson(city, options, progress) : read_osm(city, progress);
 }
 

@@ -12,6 +12,7 @@
 #include "files/whole_file.h"
 #include "scenegraph/import/csv_rows.h"
 #include "scenegraph/import/defaults.h"
+#include "scenegraph/import/gis_vectors.h"
 #include "scenegraph/import/json_text.h"
 #include "scenegraph/import/osm_values.h"
 #include "scenegraph/import/plan_geometry.h"
@@ -243,6 +244,7 @@ CityFeatures read_tree_bytes(std::string_view bytes, bool geojson, const TreeCol
 
 CityFeatures read_tree_list(const std::filesystem::path& file, const TreeColumns& columns,
                             const ImportOptions& options) {
+  if (file.extension() != ".geojson" && is_gis_vectors(file)) return read_gis_vectors(file, columns, options);
   try {
     const auto bytes = files::read_whole(file, kMostBytes);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
