@@ -1,9 +1,12 @@
 #include "apps/common/statistics.h"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <numeric>
 
 namespace manzana::apps {
 namespace {
@@ -37,6 +40,17 @@ Interval median_interval(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t skip = left_out(values.size());
   return {values[skip], values[values.size() - 1 - skip]};
+}
+
+Mean mean_of(std::span<const double> values) {
+  assert(!values.empty());
+  const auto n = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  if (values.size() == 1) return {mean, std::numeric_limits<double>::infinity()};
+  double squares = 0;
+  for (const double v : values) squares += (v - mean) * (v - mean);
+  const double t = boost::math::quantile(boost::math::students_t(n - 1), 0.975);
+  return {mean, t * std::sqrt(squares / (n - 1) / n)};
 }
 
 }  // namespace manzana::apps

@@ -1,5 +1,6 @@
 #pragma once
-/// What many measured values come to: ranks only, because what disturbs a measurement has no mean.
+/// What many measured values come to. Of times ranks only, because what disturbs a measurement has no mean.
+#include <span>
 #include <vector>
 
 namespace manzana::apps {
@@ -18,5 +19,12 @@ struct Interval {
 /// statistics. Under six values: all there is, with less than that. Asserts that there is one.
 /// [Thompson, Annals of Mathematical Statistics 7 (1936), p. 122]
 Interval median_interval(std::vector<double> values);
+
+/// A mean, and by how much that of what the values were drawn from may differ, with 95 %: Student's t. Of one value:
+/// infinity. Asserts that there is one.
+struct Mean {
+  double mean = 0, within = 0;
+};
+Mean mean_of(std::span<const double> values);
 
 }  // namespace manzana::apps

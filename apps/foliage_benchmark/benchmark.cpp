@@ -17,6 +17,7 @@
 #include "apps/foliage_benchmark/errors_report.h"
 #include "apps/foliage_benchmark/popping.h"
 #include "apps/foliage_benchmark/times.h"
+#include "apps/foliage_benchmark/trade_report.h"
 #include "files/whole_file.h"
 #include "foliage/import/load_plant.h"
 #include "foliage/import/species.h"
@@ -71,16 +72,20 @@ std::vector<foliage::PreparedPlant> plants_of(const Options& options) {
   return plants;
 }
 
+void set_asked(const Options& options, ErrorPlan& plan) {
+  if (!options.heights.empty()) plan.heights = options.heights;
+  if (options.views) plan.views = *options.views;
+}
+
 ErrorPlan plan_of(const Options& options) {
   ErrorPlan plan;
-  plan.error_px = options.error_px;
+  for (Setting& setting : plan.settings) setting.error_px = options.error_px;
   plan.mode = mode_of(options);
   if (options.quick) {
     plan.heights = {128, 32, 12};
     plan.views = 2;
   }
-  if (!options.heights.empty()) plan.heights = options.heights;
-  if (options.views) plan.views = *options.views;
+  set_asked(options, plan);
   return plan;
 }
 
@@ -92,14 +97,17 @@ void write_sheets(const Options& options, std::span<const foliage::PreparedPlant
                 contact_sheet(stage, i, kHeights, options.error_px));
 }
 
-/// Rows of this run, of plants as they are now.
-apps::Record<ErrorRow> error_record(const Options& options, std::span<const foliage::PreparedPlant> plants) {
+/// Rows of this run, of plants as they are now; `stand_leaves`: of a stand of them.
+apps::Record<ErrorRow> error_record(const Options& options, std::span<const foliage::PreparedPlant> plants,
+                                    std::uint64_t stand_leaves = 0) {
   const apps::RunFacts facts = apps::run_facts(mode_of(options));
-  return {options.out / "runs.csv", error_columns(), [&, facts](const ErrorRow& row) {
+  return {options.out / "runs.csv", error_columns(), [=](const ErrorRow& row) {
+            const auto whole = [&](std::uint64_t leaves) { return row.law != "full" || row.leaves == leaves; };
             const auto same_plant = [&](const foliage::PreparedPlant& p) {
-              return p.name == row.plant && (row.law != "full" || p.leaves.size() == row.leaves);
+              return p.name == row.plant && whole(p.leaves.size());
             };
-            return same_run(row, facts) && std::any_of(plants.begin(), plants.end(), same_plant);
+            return same_run(row, facts) && ((is_stand(row.plant) && whole(stand_leaves)) ||
+                                            std::any_of(plants.begin(), plants.end(), same_plant));
           }};
 }
 
@@ -185,6 +193,31 @@ void measure_all(const Options& options, std::span<const foliage::PreparedPlant>
                                                     popping + times.text + plots_md(drawn));
 }
 
+void measure_trade(const Options& options, std::span<const foliage::PreparedPlant> plants) {
+  TradePlan plan = trade_plan(options.quick);
+  set_asked(options, plan.errors);
+  auto record = error_record(options, plants, stand_leaves(plants, plan));
+  apps::ProgressBar bar(stderr);
+  const auto rows = measure_trade(
+      plants, plan, [&](double done) { bar.show("image errors", done); }, record);
+  const Effort effort{options.quick, options.out};
+  const Times times = measure_rows(effort, [&](Times& t) { add_trade_costs(effort, plants, plan, t); });
+  std::vector<TradePoint> points = trade_points(rows, times);
+  const std::vector<Profile> profiles = choose_profiles(points);
+  files::write_whole(options.out / "runs.csv", apps::to_csv<ErrorRow>(rows, error_columns()));
+  files::write_whole(options.out / "summary.csv", apps::to_csv<TradePoint>(points, trade_columns()));
+  files::write_whole(options.out / "quality.csv", quality_csv(profiles));
+  files::write_whole(options.out / "columns.md",
+                     "# Columns\n\n## runs.csv: one picture each\n" + apps::explain(error_columns()) +
+                         "\n## summary.csv and front.csv: means over the views\n" + apps::explain(trade_columns()) +
+                         "\n## times.csv: two ways timed in turn\n" + explain_times());
+  const auto drawn = apps::draw_all(options.out, trade_plots(points));
+  files::write_whole(options.out / "report.md",
+                     head_md(options, plants, times.dirty) + trade_md(points, profiles, plan) + plots_md(drawn));
+  std::erase_if(points, [](const TradePoint& p) { return p.front.empty(); });
+  files::write_whole(options.out / "front.csv", apps::to_csv<TradePoint>(points, trade_columns()));
+}
+
 }  // namespace
 
 int run_benchmark(const Options& options) {
@@ -193,8 +226,12 @@ int run_benchmark(const Options& options) {
   const gl::HeadlessContext context;
   try {
     const auto plants = plants_of(options);
-    write_sheets(options, plants);
-    if (!options.sheets_only) measure_all(options, plants);
+    if (options.trade) {
+      measure_trade(options, plants);
+    } else {
+      write_sheets(options, plants);
+      if (!options.sheets_only) measure_all(options, plants);
+    }
   } catch (const apps::Interrupted&) {
     std::fprintf(stderr, "interrupted: the same command goes on from what is finished in %s\n", options.out.c_str());
     return 1;

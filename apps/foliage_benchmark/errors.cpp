@@ -14,17 +14,14 @@ using foliage::Law;
 
 constexpr std::array kElevationsDeg{2.0, 20.0, 45.0};
 
-/// Of one plant from one side.
-struct Camera {
-  double azimuth_deg, elevation_deg;
-  Shot shot;
-};
-
-Camera camera_of(const Extent& extent, int view, int views, double height_px) {
-  Camera camera{360.0 * view / views, kElevationsDeg[static_cast<std::size_t>(view) % kElevationsDeg.size()], {}};
+Sight sight_of(const Extent& extent, std::uint32_t site, int view, int views, double height_px) {
+  Sight sight;
+  sight.runs = {{site, site + 1}};
+  sight.azimuth_deg = 360.0 * view / views;
+  sight.elevation_deg = kElevationsDeg[static_cast<std::size_t>(view) % kElevationsDeg.size()];
   constexpr double kDegree = std::numbers::pi / 180;
-  camera.shot = shot_of(extent, camera.azimuth_deg * kDegree, camera.elevation_deg * kDegree, height_px);
-  return camera;
+  sight.shot = shot_of(extent, sight.azimuth_deg * kDegree, sight.elevation_deg * kDegree, height_px);
+  return sight;
 }
 
 void set_errors(const ImageError& error, ErrorRow& row) {
@@ -50,58 +47,60 @@ class Measurement {
   Measurement(Stage& stage, const ErrorPlan& plan, apps::Record<ErrorRow>* record, std::vector<ErrorRow>& rows)
       : stage_(stage), plan_(plan), record_(record), rows_(rows) {}
 
-  /// Another copy from each side, since each has thresholds of its own.
-  void add(std::uint32_t plant, const Camera& camera, int view, double height_px) {
-    begin(plant, camera, height_px);
-    const auto site = plant * static_cast<std::uint32_t>(plan_.views) + static_cast<std::uint32_t>(view);
-    if (record_ == nullptr || !take_known()) measure({site, site + 1}, camera);
+  void add(const Motif& motif, const Sight& sight) {
+    row_.plant = motif.name;
+    row_.height_px = motif.height_px;
+    row_.azimuth_deg = sight.azimuth_deg;
+    row_.elevation_deg = sight.elevation_deg;
+    if (record_ == nullptr || !take_known()) measure(sight);
   }
 
  private:
-  void begin(std::uint32_t plant, const Camera& camera, double height_px) {
-    row_.plant = stage_.plants()[plant].name;
-    row_.height_px = height_px;
-    row_.azimuth_deg = camera.azimuth_deg;
-    row_.elevation_deg = camera.elevation_deg;
-  }
-
   bool of_this_picture(const ErrorRow& r) const {
     const auto near = [](double a, double b) { return std::abs(a - b) < 1e-3; };
+    const auto asked = [&](const Setting& setting) {
+      return r.law == name_of(setting.law) && near(r.error_px, setting.error_px);
+    };
     return r.plant == row_.plant && r.height_px == row_.height_px && near(r.azimuth_deg, row_.azimuth_deg) &&
-           near(r.elevation_deg, row_.elevation_deg) && (r.law == "full" || near(r.error_px, plan_.error_px));
+           near(r.elevation_deg, row_.elevation_deg) &&
+           (r.law == name_of(Law::full) || std::ranges::any_of(plan_.settings, asked));
   }
 
   bool take_known() {
     std::vector<ErrorRow> known;
     for (const ErrorRow& r : record_->rows())
       if (of_this_picture(r)) known.push_back(r);
-    if (known.size() != 2 + 2 * plan_.laws.size()) return false;
+    if (known.size() != 3 + (plan_.product ? 2 : 1) * plan_.settings.size()) return false;
     rows_.insert(rows_.end(), known.begin(), known.end());
     return true;
   }
 
-  void measure(const foliage::Run& run, const Camera& camera) {
+  void measure(const Sight& sight) {
     apps::throw_if_interrupted();
     if (record_ != nullptr) record_->drop([&](const ErrorRow& r) { return of_this_picture(r); });
-    stage_.set_law(Law::full);
-    const Picture reference = stage_.draw(run, camera.shot, {plan_.error_px, Sampling::fine});
-    compare(reference, run, Law::full, moved(camera.shot, 0.5), Sampling::fine, "moved");
-    compare(reference, run, Law::full, camera.shot, Sampling::product, "product");
-    for (const Law law : plan_.laws) {
-      compare(reference, run, law, camera.shot, Sampling::fine, "fine");
-      compare(reference, run, law, camera.shot, Sampling::product, "product");
+    const Setting all{Law::full};
+    stage_.set_law(all.law);
+    const Picture reference = stage_.draw(sight.runs, sight.shot, {all.error_px, Sampling::fine});
+    Sight beside = sight;
+    beside.shot = moved(sight.shot, 0.5);
+    compare(reference, beside, all, Sampling::fine, "moved");
+    compare(reference, sight, all, Sampling::product, "product");
+    compare(reference, sight, all, Sampling::single, "single");
+    for (const Setting& setting : plan_.settings) {
+      compare(reference, sight, setting, Sampling::fine, "fine");
+      if (plan_.product) compare(reference, sight, setting, Sampling::product, "product");
     }
   }
 
-  void compare(const Picture& reference, const foliage::Run& run, Law law, const Shot& shot, Sampling sampling,
+  void compare(const Picture& reference, const Sight& sight, const Setting& setting, Sampling sampling,
                const char* name) {
-    stage_.set_law(law);
-    const Picture picture = stage_.draw(run, shot, {plan_.error_px, sampling});
+    stage_.set_law(setting.law);
+    const Picture picture = stage_.draw(sight.runs, sight.shot, {setting.error_px, sampling});
     ErrorRow row = row_;
     static_cast<apps::RunFacts&>(row) = apps::run_facts(plan_.mode);
-    row.law = name_of(law);
+    row.law = name_of(setting.law);
     row.sampling = name;
-    row.error_px = law == Law::full ? 0 : plan_.error_px;
+    row.error_px = setting.law == Law::full ? 0 : setting.error_px;
     set_counts(stage_.shown(), row);
     set_errors(image_error(reference, picture), row);
     if (record_ != nullptr) record_->keep(row);
@@ -119,11 +118,6 @@ constexpr std::array kMeasured{&ErrorRow::cover, &ErrorRow::iou,  &ErrorRow::sil
                                &ErrorRow::ssim,  &ErrorRow::gmsd, &ErrorRow::psnr};
 constexpr std::array kCounted{&ErrorRow::bark, &ErrorRow::leaves, &ErrorRow::lines, &ErrorRow::points,
                               &ErrorRow::primitives};
-
-bool same_kind(const ErrorRow& a, const ErrorRow& b) {
-  return a.plant == b.plant && a.height_px == b.height_px && a.law == b.law && a.sampling == b.sampling &&
-         a.error_px == b.error_px;
-}
 
 bool same_place(const ErrorRow& a, const ErrorRow& b) { return a.plant == b.plant && a.height_px == b.height_px; }
 
@@ -146,6 +140,10 @@ ErrorRow mean_of(std::span<const ErrorRow> rows, const ErrorRow& kind) {
   return mean;
 }
 
+bool is_floor(const ErrorRow& row) {
+  return row.law == name_of(Law::full) && (row.sampling == "moved" || row.sampling == "product");
+}
+
 std::string over_floors(const Verdict& v) {
   std::string over;
   if (std::abs(v.cover - 1) > kCoverWithin) over += " cover";
@@ -157,6 +155,11 @@ std::string over_floors(const Verdict& v) {
 
 }  // namespace
 
+bool same_kind(const ErrorRow& a, const ErrorRow& b) {
+  return a.plant == b.plant && a.height_px == b.height_px && a.law == b.law && a.sampling == b.sampling &&
+         a.error_px == b.error_px;
+}
+
 std::vector<foliage::TreeSite> sites_of(std::span<const foliage::PreparedPlant> plants, std::uint32_t copies) {
   std::vector<foliage::TreeSite> sites;
   for (std::uint32_t i = 0; i < copies * plants.size(); ++i) {
@@ -167,20 +170,38 @@ std::vector<foliage::TreeSite> sites_of(std::span<const foliage::PreparedPlant> 
   return sites;
 }
 
+std::vector<Motif> motifs_of(std::span<const foliage::PreparedPlant> plants, const ErrorPlan& plan) {
+  std::vector<Motif> motifs;
+  std::uint32_t first = 0;  // site
+  for (const foliage::PreparedPlant& plant : plants) {
+    const Extent extent = extent_of(plant);
+    for (const double height_px : plan.heights) {
+      Motif motif{plant.name, height_px, {}};
+      for (int view = 0; view < plan.views; ++view)
+        motif.sights.push_back(sight_of(extent, first + static_cast<std::uint32_t>(view), view, plan.views, height_px));
+      motifs.push_back(std::move(motif));
+    }
+    first += static_cast<std::uint32_t>(plan.views);
+  }
+  return motifs;
+}
+
 std::vector<ErrorRow> measure_errors(std::span<const foliage::PreparedPlant> plants, const ErrorPlan& plan,
                                      const std::function<void(double)>& progress, apps::Record<ErrorRow>* record) {
-  std::vector<ErrorRow> rows;
   Stage stage(plants, sites_of(plants, static_cast<std::uint32_t>(plan.views)));
+  return measure_errors(stage, motifs_of(plants, plan), plan, progress, record);
+}
+
+std::vector<ErrorRow> measure_errors(Stage& stage, std::span<const Motif> motifs, const ErrorPlan& plan,
+                                     const std::function<void(double)>& progress, apps::Record<ErrorRow>* record) {
+  std::vector<ErrorRow> rows;
   Measurement measurement(stage, plan, record, rows);
-  const double all = static_cast<double>(plants.size() * plan.heights.size()) * plan.views;
-  double done = 0;
-  for (std::uint32_t plant = 0; plant < plants.size(); ++plant) {
-    const Extent extent = extent_of(plants[plant]);
-    for (const double height_px : plan.heights) {
-      for (int view = 0; view < plan.views; ++view) {
-        measurement.add(plant, camera_of(extent, view, plan.views, height_px), view, height_px);
-        progress(++done / all);
-      }
+  std::size_t all = 0, done = 0;
+  for (const Motif& motif : motifs) all += motif.sights.size();
+  for (const Motif& motif : motifs) {
+    for (const Sight& sight : motif.sights) {
+      measurement.add(motif, sight);
+      progress(static_cast<double>(++done) / static_cast<double>(all));
     }
   }
   return rows;
@@ -194,7 +215,7 @@ std::vector<Verdict> judge(std::span<const ErrorRow> rows) {
   }
   for (Verdict& v : verdicts) {
     for (const Verdict& floor : verdicts) {
-      if (floor.law != "full" || !same_place(v, floor)) continue;
+      if (!is_floor(floor) || !same_place(v, floor)) continue;
       v.floor_ssim = std::min(v.floor_ssim, floor.ssim);
       v.floor_gmsd = std::max(v.floor_gmsd, floor.gmsd);
     }

@@ -1,7 +1,8 @@
 #pragma once
 /// How far each law of detail is from all detail, from far and near, beside what half a pixel of camera motion and the
 /// product's own sampling do.
-///   std::vector<ErrorRow> rows = measure_errors(plants, {.heights = {64, 16}, .views = 4}, progress);
+///   std::vector<ErrorRow> rows = measure_errors(plants, {.heights = {64, 16}, .views = 4}, progress);     // or
+///   std::vector<ErrorRow> rows = measure_errors(stage, motifs, {.settings = {{Law::ours, 2}}}, progress);
 ///   std::vector<Verdict> verdicts = judge(rows);
 #include <functional>
 #include <string>
@@ -13,34 +14,62 @@
 
 namespace manzana::foliage_benchmark {
 
+/// A law of detail, and what it is told may be wrong.
+struct Setting {
+  foliage::Law law;
+  double error_px = 1;
+};
+
 struct ErrorPlan {
   std::vector<double> heights{512, 256, 128, 64, 32, 16, 12};  ///< of the plant, pixels
   int views = 8;                                               ///< evenly round it, at elevations in turn
-  std::vector<foliage::Law> laws{foliage::Law::ours, foliage::Law::prune};
-  double error_px = 1;
+  std::vector<Setting> settings{{foliage::Law::ours}, {foliage::Law::prune}};
+  bool product = true;        ///< every way sampled as the product does, too
   std::string mode = "full";  ///< of the run
 };
+
+/// What is looked at, from several sides: a plant of that height, or trees of about that height.
+struct Sight {
+  Shot shot;
+  std::vector<foliage::Run> runs;  ///< of the stage's sites
+  double azimuth_deg = 0, elevation_deg = 0;
+};
+struct Motif {
+  std::string name;
+  double height_px = 0;
+  std::vector<Sight> sights;
+};
+/// Each plant alone. Of sites_of(plants, views): another copy from each side, since each has thresholds of its own.
+std::vector<Motif> motifs_of(std::span<const foliage::PreparedPlant> plants, const ErrorPlan& plan);
 
 /// One picture against the reference: all detail, finely sampled.
 struct ErrorRow : apps::RunFacts {
   std::string plant;
   std::string law;       ///< full, ours, gumbau
-  std::string sampling;  ///< fine, product; moved: fine, by half a pixel
+  std::string sampling;  ///< fine, product, single; moved: fine, by half a pixel
   double height_px = 0, azimuth_deg = 0, elevation_deg = 0, error_px = 0;
   std::uint64_t bark = 0, leaves = 0, lines = 0, points = 0, primitives = 0;
   double cover = 1, iou = 1, silhouette = 0, colour = 0, ssim = 1, gmsd = 0, psnr = 99;
 };
 
-/// `progress` is called with [0, 1]. Pictures whose rows the record holds are not drawn again; those that are new are
-/// kept there.
+/// Of motifs_of(plants, plan). `progress` is called with [0, 1]. Pictures whose rows the record holds are not drawn
+/// again; those that are new are kept there.
 std::vector<ErrorRow> measure_errors(std::span<const foliage::PreparedPlant> plants, const ErrorPlan& plan,
                                      const std::function<void(double)>& progress,
                                      apps::Record<ErrorRow>* record = nullptr);
 
+std::vector<ErrorRow> measure_errors(Stage& stage, std::span<const Motif> motifs, const ErrorPlan& plan,
+                                     const std::function<void(double)>& progress,
+                                     apps::Record<ErrorRow>* record = nullptr);
+
+/// Of one plant, height, law, error and sampling.
+bool same_kind(const ErrorRow& a, const ErrorRow& b);
+
 /// The means over the views of one plant, height, law and sampling, and which of them are over the floors.
 struct Verdict : ErrorRow {
-  double floor_ssim = 1, floor_gmsd = 0;  ///< the worse of both floors
-  std::string over;                       ///< "cover ssim"; empty: nothing is
+  double floor_ssim = 1,
+         floor_gmsd = 0;  ///< the worse of both floors: all detail moved, and sampled as the product does
+  std::string over;       ///< "cover ssim"; empty: nothing is
 };
 inline constexpr double kCoverWithin = 0.02, kColourWithin = 0.005;
 

@@ -10,36 +10,6 @@ namespace {
 
 using apps::digits3;
 
-template <class Row>
-std::vector<apps::Column<Row>> common_columns() {
-  using C = apps::Column<Row>;
-  return {C{"plant", "", "", &Row::plant},
-          C{"law", "", "of detail: full, ours, gumbau", &Row::law},
-          C{"sampling", "", "fine: as the reference; product: 4 samples a pixel; moved: fine, half a pixel beside",
-            &Row::sampling},
-          C{"height_px", "pixels", "of the plant", &Row::height_px},
-          C{"error_px", "pixels", "that may be wrong", &Row::error_px},
-          C{"bark", "quads", "drawn", &Row::bark},
-          C{"leaves", "quads", "drawn", &Row::leaves},
-          C{"lines", "", "drawn, two triangles each", &Row::lines},
-          C{"points", "", "drawn", &Row::points},
-          C{"primitives", "", "triangles and points drawn", &Row::primitives},
-          C{"cover", "", "over the reference's", &Row::cover},
-          C{"iou", "", "of the pixels covered by half: intersection over union", &Row::iou},
-          C{"silhouette", "", "differences of coverage over the reference's coverage", &Row::silhouette},
-          C{"colour", "", "difference of mean colours, linear, root mean square", &Row::colour},
-          C{"ssim", "", "mean over the plant's pixels and 5 round them", &Row::ssim},
-          C{"gmsd", "", "over the same", &Row::gmsd},
-          C{"psnr", "dB", "over the same", &Row::psnr}};
-}
-
-template <class Row>
-std::vector<apps::Column<Row>> with(std::vector<apps::Column<Row>> columns,
-                                    std::initializer_list<apps::Column<Row>> more) {
-  columns.insert(columns.end(), more);
-  return columns;
-}
-
 std::vector<std::string> cells_of(const Verdict& v, const Verdict& all) {
   return {v.plant,
           digits3(v.height_px),
@@ -109,19 +79,16 @@ apps::Script plot_of(std::span<const Verdict> verdicts, const std::string& plant
 }  // namespace
 
 std::span<const apps::Column<ErrorRow>> error_columns() {
-  static const auto columns =
-      with(apps::joined<ErrorRow>({apps::run_columns<ErrorRow>(), common_columns<ErrorRow>()}),
-           {{"azimuth_deg", "degrees", "of the camera", &ErrorRow::azimuth_deg},
-            {"elevation_deg", "degrees", "of the camera over the plant's middle", &ErrorRow::elevation_deg}});
+  static const auto columns = apps::joined<ErrorRow>(
+      {apps::run_columns<ErrorRow>(),
+       picture_columns<ErrorRow>(),
+       {{"azimuth_deg", "degrees", "of the camera", &ErrorRow::azimuth_deg},
+        {"elevation_deg", "degrees", "of the camera over the plant's middle", &ErrorRow::elevation_deg}}});
   return columns;
 }
 
 std::span<const apps::Column<Verdict>> verdict_columns() {
-  static const auto columns =
-      with(common_columns<Verdict>(),
-           {{"floor_ssim", "", "the least that either floor has", &Verdict::floor_ssim},
-            {"floor_gmsd", "", "the most that either floor has", &Verdict::floor_gmsd},
-            {"over", "", "what is over the floor; cover within 0.02, colour 0.005", &Verdict::over}});
+  static const auto columns = verdict_columns_of<Verdict>();
   return columns;
 }
 
@@ -132,11 +99,11 @@ std::string errors_md(std::span<const Verdict> verdicts, const ErrorPlan& plan) 
           "768 samples high; floors are the reference moved by half a pixel, and all detail as the product samples it "
           "(4 samples a pixel). Cover may be off by 0.02, the mean colour by 0.005. The error that "
           "may be made is " +
-          digits3(plan.error_px) + " px.\n\n";
-  for (const foliage::Law law : plan.laws)
-    text += "- " + std::string(name_of(law)) + ": " + count_md(verdicts, name_of(law), "product") +
+          digits3(plan.settings.front().error_px) + " px.\n\n";
+  for (const Setting& setting : plan.settings)
+    text += "- " + std::string(name_of(setting.law)) + ": " + count_md(verdicts, name_of(setting.law), "product") +
             " pairs of plant and height are under every floor as the product samples them, " +
-            count_md(verdicts, name_of(law), "fine") + " by the model alone.\n";
+            count_md(verdicts, name_of(setting.law), "fine") + " by the model alone.\n";
   text += "\n### As the product samples\n\n" + table_of(verdicts, "product", true);
   text += "### The model alone, sampled as the reference\n\n" + table_of(verdicts, "fine", false);
   return text;

@@ -6,6 +6,39 @@
 
 namespace manzana::foliage_benchmark {
 
+template <class Row>
+std::vector<apps::Column<Row>> picture_columns() {
+  using C = apps::Column<Row>;
+  return {C{"plant", "", "", &Row::plant},
+          C{"law", "", "of detail: full, ours, gumbau", &Row::law},
+          C{"sampling", "",
+            "fine: as the reference; product: 4 samples a pixel; single: 1; moved: fine, half a pixel beside",
+            &Row::sampling},
+          C{"height_px", "pixels", "of the plant", &Row::height_px},
+          C{"error_px", "pixels", "that may be wrong", &Row::error_px},
+          C{"bark", "quads", "drawn", &Row::bark},
+          C{"leaves", "quads", "drawn", &Row::leaves},
+          C{"lines", "", "drawn, two triangles each", &Row::lines},
+          C{"points", "", "drawn", &Row::points},
+          C{"primitives", "", "triangles and points drawn", &Row::primitives},
+          C{"cover", "", "over the reference's", &Row::cover},
+          C{"iou", "", "of the pixels covered by half: intersection over union", &Row::iou},
+          C{"silhouette", "", "differences of coverage over the reference's coverage", &Row::silhouette},
+          C{"colour", "", "difference of mean colours, linear, root mean square", &Row::colour},
+          C{"ssim", "", "mean over the plant's pixels and 5 round them", &Row::ssim},
+          C{"gmsd", "", "over the same", &Row::gmsd},
+          C{"psnr", "dB", "over the same", &Row::psnr}};
+}
+
+/// Of a Verdict, or of what derives from it.
+template <class Row>
+std::vector<apps::Column<Row>> verdict_columns_of() {
+  return apps::joined<Row>({picture_columns<Row>(),
+                            {{"floor_ssim", "", "the least that either floor has", &Row::floor_ssim},
+                             {"floor_gmsd", "", "the most that either floor has", &Row::floor_gmsd},
+                             {"over", "", "what is over the floor; cover within 0.02, colour 0.005", &Row::over}}});
+}
+
 std::span<const apps::Column<ErrorRow>> error_columns();
 std::span<const apps::Column<Verdict>> verdict_columns();
 

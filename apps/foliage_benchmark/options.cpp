@@ -30,6 +30,8 @@ Parsed parse_options(int argc, const char* const* argv) {
       ->check(CLI::Range(0.01, 100.0))
       ->capture_default_str();
   app.add_flag("--errors-only", options.errors_only, "image errors, without the tables of the sources");
+  app.add_flag("--trade", options.trade,
+               "speed for accuracy alone: every law over the error that it is told, and the profiles of quality");
   app.add_flag("--sheets-only", options.sheets_only, "contact sheets, without tables");
   if (auto reply = apps::parse(app, argc, argv)) return {std::nullopt, std::move(reply->text), reply->exit_code};
   return {std::move(options), {}, 0};

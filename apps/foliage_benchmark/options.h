@@ -18,6 +18,7 @@ struct Options {
   double error_px = 1;
   bool errors_only = false;  ///< the first section alone
   bool sheets_only = false;  ///< contact sheets alone
+  bool trade = false;        ///< speed for accuracy alone
 };
 
 using Parsed = apps::Parsed<Options>;

@@ -94,6 +94,12 @@ Extent extent_of(const foliage::PreparedPlant& plant) {
   return extent;
 }
 
+std::vector<Extent> extents_of(std::span<const foliage::PreparedPlant> plants) {
+  std::vector<Extent> extents;
+  std::transform(plants.begin(), plants.end(), std::back_inserter(extents), extent_of);
+  return extents;
+}
+
 Shot shot_of(const Extent& extent, double azimuth, double elevation, double height_px) {
   Shot shot;
   shot.focal_px = kFocalPx;
@@ -257,7 +263,7 @@ Picture Stage::read(Room& room, int factor) {
 Stage::Room& Stage::room_for(const Shot& shot, Sampling sampling) {
   const bool fine = sampling == Sampling::fine;
   const int enlarged = fine ? shot.fine : 1;
-  return room_for(shot.width * enlarged, shot.height * enlarged, fine ? 1 : 4);
+  return room_for(shot.width * enlarged, shot.height * enlarged, sampling == Sampling::product ? 4 : 1);
 }
 
 Stage::Room& Stage::paint_into_room(const Paint& paint, const Shot& shot, Sampling sampling) {

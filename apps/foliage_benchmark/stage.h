@@ -15,8 +15,8 @@
 namespace manzana::foliage_benchmark {
 
 /// fine: the mean of a picture so many times the size that leaves' pictures are resolved, as references are drawn;
-/// product: four samples a pixel.
-enum class Sampling : std::uint8_t { fine, product };
+/// product: four samples a pixel; single: one.
+enum class Sampling : std::uint8_t { fine, product, single };
 
 /// A camera and its picture's size. Plants stand on the plane z = 0 of the scene.
 struct Shot {
@@ -32,6 +32,7 @@ struct Extent {
   double low = 0, high = 0, radius = 0, nominal_height = 0;
 };
 Extent extent_of(const foliage::PreparedPlant& plant);
+std::vector<Extent> extents_of(std::span<const foliage::PreparedPlant> plants);
 
 /// From so far that the plant's height has so many pixels; the picture holds all of it, and a margin for what windows
 /// reach. Angles in radians.

@@ -1,6 +1,7 @@
 #include "apps/common/statistics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tests/support/random.h"
@@ -54,4 +55,11 @@ TEST_CASE("interval: holds the true median at least 95 times of 100, and is no w
     CHECK(held > 0.94 * kRounds);  // 95 % less three standard deviations of this very test
     CHECK(held < 0.99 * kRounds);
   }
+}
+
+TEST_CASE("mean: within what tables of Student's t say") {
+  const Mean mean = mean_of(std::array{1.0, 2.0, 3.0, 6.0});
+  CHECK(mean.mean == 3);
+  CHECK(mean.within == Approx(3.18245 * std::sqrt(14.0 / 3 / 4)).epsilon(1e-5));
+  CHECK(std::isinf(mean_of(std::array{5.0}).within));
 }

@@ -1,6 +1,7 @@
 // The program from outside: exit codes, messages, files.
 #include <signal.h>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -60,7 +61,7 @@ TEST_CASE("foliage benchmark: a small run writes whole tables and the same run a
   CAPTURE(ended.err);
   REQUIRE(ended.code == 0);
   const auto runs = table_of(out / "runs.csv");
-  REQUIRE(runs.size() == 1 + 2 + 2 * 2);
+  REQUIRE(runs.size() == 1 + 3 + 2 * 2);
   for (const auto& row : runs) CHECK(row.size() == runs[0].size());
   CHECK(table_of(out / "summary.csv").size() == runs.size());
   const std::string report = read_all(out / "report.md");
@@ -81,18 +82,36 @@ TEST_CASE("foliage benchmark: an interrupted run keeps what it has and goes on f
   run.back() = "64";  // views
   const auto rows = [&] { return std::filesystem::exists(out / "runs.csv") ? table_of(out / "runs.csv").size() : 0; };
   const pid_t child = start_program(MANZANA_FOLIAGE_BENCHMARK, folder.path(), run);
-  while (rows() < 13 && kill(child, 0) == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  while (rows() < 15 && kill(child, 0) == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
   kill(child, SIGINT);
   const Ended ended = wait_for(child, folder.path());
   CHECK(ended.code == 1);
   CHECK(ended.err.find("interrupted: the same command goes on") != std::string::npos);
   CHECK_FALSE(std::filesystem::exists(out / "summary.csv"));
   const auto before = table_of(out / "runs.csv");
-  REQUIRE(before.size() < 1 + 64 * 6);
+  REQUIRE(before.size() < 1 + 64 * 7);
   REQUIRE(run_benchmark(folder.path(), run).code == 0);
   const auto after = table_of(out / "runs.csv");
-  REQUIRE(after.size() == 1 + 64 * 6);
-  for (std::size_t i = 0; i + 6 < before.size(); ++i) CHECK(after[i] == before[i]);  // the last picture may be half
+  REQUIRE(after.size() == 1 + 64 * 7);
+  for (std::size_t i = 0; i + 7 < before.size(); ++i) CHECK(after[i] == before[i]);  // the last picture may be half
+}
+
+TEST_CASE("foliage benchmark: the trade has a front whose rows stand in the summary and goes on where it was") {
+  const TemporaryFolder folder;
+  const auto out = folder.path() / "out";
+  auto run = small_run(folder.path(), out);
+  *std::ranges::find(run, "--errors-only") = "--trade";
+  run.back() = "2";  // views
+  REQUIRE(run_benchmark(folder.path(), run).code == 0);
+  const auto summary = table_of(out / "summary.csv"), front = table_of(out / "front.csv");
+  REQUIRE(front.size() > 1);
+  REQUIRE(front.size() < summary.size());
+  for (const auto& row : front) CHECK(std::ranges::find(summary, row) != summary.end());
+  CHECK(table_of(out / "quality.csv").size() == 4);
+  CHECK(read_all(out / "report.md").find("## Speed for accuracy") != std::string::npos);
+  const std::string before = read_all(out / "runs.csv") + read_all(out / "times.csv");
+  REQUIRE(run_benchmark(folder.path(), run).code == 0);
+  CHECK(read_all(out / "runs.csv") + read_all(out / "times.csv") == before);  // dates too
 }
 
 TEST_CASE("foliage benchmark: sheets alone") {

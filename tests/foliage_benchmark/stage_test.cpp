@@ -72,14 +72,14 @@ TEST_CASE("stage: the same shot twice is the same picture and half a pixel besid
 
 TEST_CASE("errors: full detail has none and floors are the worse of two") {
   const gl::HeadlessContext context;
-  const ErrorPlan plan{.heights = {32}, .views = 2, .laws = {foliage::Law::full, foliage::Law::ours}};
+  const ErrorPlan plan{.heights = {32}, .views = 2, .settings = {{foliage::Law::full}, {foliage::Law::ours}}};
   double done = 0;
   const auto rows = measure_errors(shrub(), plan, [&](double now) {
     CHECK(now > done);
     done = now;
   });
   CHECK(done == 1);
-  REQUIRE(rows.size() == 2 * (2 + 2 * 2));
+  REQUIRE(rows.size() == 2 * (3 + 2 * 2));
   for (const ErrorRow& row : rows) {
     CHECK(row.plant == "shrub");
     if (row.law != "full") continue;
@@ -87,7 +87,7 @@ TEST_CASE("errors: full detail has none and floors are the worse of two") {
     if (row.sampling == "fine") CHECK(row.psnr == 99);
   }
   const auto verdicts = judge(rows);
-  REQUIRE(verdicts.size() == 5);  // full: moved, product, fine; ours: fine, product
+  REQUIRE(verdicts.size() == 6);  // full: moved, product, single, fine; ours: fine, product
   for (const Verdict& v : verdicts) {
     CHECK(v.floor_ssim == std::min(verdicts[0].ssim, verdicts[1].ssim));
     CHECK(v.floor_gmsd == std::max(verdicts[0].gmsd, verdicts[1].gmsd));

@@ -1,0 +1,90 @@
+// Speed for accuracy: what is on the front, and which way each profile takes, of rows written by hand.
+#include "apps/foliage_benchmark/trade_report.h"
+
+#include <catch2/catch.hpp>
+
+namespace manzana::foliage_benchmark {
+namespace {
+
+/// Two views of all detail, which set the floors, and of each way.
+class Rows {
+ public:
+  explicit Rows(std::string plant = "oak", double height = 32) {
+    row_.plant = std::move(plant);
+    row_.height_px = height;
+    for (const char* sampling : {"moved", "product", "single"}) add("full", 0, 1000, {1, 0, 0.8, 0.1}, sampling);
+  }
+  struct Error {
+    double cover, colour, ssim, gmsd;
+  };
+  void add(const char* law, double error_px, std::uint64_t primitives, const Error& error,
+           const char* sampling = "fine") {
+    for (int view = 0; view < 2; ++view) {
+      ErrorRow row = row_;
+      row.law = law, row.error_px = error_px, row.primitives = primitives, row.sampling = sampling;
+      row.cover = error.cover, row.colour = error.colour, row.ssim = error.ssim, row.gmsd = error.gmsd;
+      rows.push_back(row);
+    }
+  }
+  std::vector<ErrorRow> rows;
+
+ private:
+  ErrorRow row_;
+};
+
+const TradePoint& point(const std::vector<TradePoint>& points, const std::string& law, double error_px) {
+  return *std::ranges::find_if(
+      points, [&](const TradePoint& p) { return p.plant == "oak" && p.law == law && p.error_px == error_px; });
+}
+
+}  // namespace
+
+TEST_CASE("trade: what costs more and errs no less is not on the front") {
+  Rows given;
+  given.add("ours", 1, 100, {1.01, 0.001, 0.9, 0.05});
+  given.add("ours", 2, 10, {1.03, 0.002, 0.85, 0.08});
+  given.add("gumbau", 1, 200, {1.01, 0.001, 0.9, 0.05});
+  given.add("gumbau", 2, 200, {1.01, 0.001, 0.95, 0.05});
+  const auto points = trade_points(given.rows, {});
+  CHECK(point(points, "ours", 1).front == "front");
+  CHECK(point(points, "ours", 2).front == "front");
+  CHECK(point(points, "gumbau", 1).front.empty());
+  CHECK(point(points, "gumbau", 2).front == "front");
+  CHECK(point(points, "ours", 2).primitives_ratio == Approx(0.01));
+  CHECK(point(points, "ours", 2).views == 2);
+  CHECK(worst_over(point(points, "ours", 2), 1) == Approx(1.5));
+  CHECK(worst_over(point(points, "ours", 2), 2) == Approx(0.75));
+}
+
+TEST_CASE("trade: a profile is the cheapest way that is within what it allows everywhere") {
+  Rows near("oak", 128), far("oak", 16);
+  for (Rows* rows : {&near, &far}) {
+    rows->add("ours", 0.5, 500, {1, 0, 0.95, 0.04});
+    rows->add("ours", 1, 100, {1.01, 0.001, 0.9, 0.05});
+    rows->add("ours", 4, 5, {1.2, 0.02, 0.5, 0.3});
+  }
+  near.add("ours", 2, 10, {1.01, 0.001, 0.9, 0.05});
+  far.add("ours", 2, 10, {1.03, 0.002, 0.9, 0.05});  // cover
+  near.rows.insert(near.rows.end(), far.rows.begin(), far.rows.end());
+  auto points = trade_points(near.rows, {});
+  const auto profiles = choose_profiles(points);
+  REQUIRE(profiles.size() == 3);
+  CHECK(profiles[0].error_px == 2);
+  CHECK(profiles[1].error_px == 1);
+  CHECK(profiles[2].error_px == 0.5);
+  CHECK(profiles[1].samples == 1);  // one sample of all detail is as good as the floor here
+  CHECK(profiles[2].samples == 8);
+  CHECK(profiles[1].primitives_ratio == Approx(0.1));
+  CHECK(quality_csv(profiles) ==
+        "name,tree_law,tree_error_px,samples\nfast,ours,2,1\nbalanced,ours,1,1\naccurate,ours,0.5,8\n");
+  CHECK(point(points, "ours", 1).profiles == "balanced");
+}
+
+TEST_CASE("trade: where nothing is within what is allowed the profile is all detail") {
+  Rows given;
+  given.add("ours", 1, 100, {1.5, 0.1, 0.1, 0.5});
+  auto points = trade_points(given.rows, {});
+  for (const Profile& profile : choose_profiles(points)) CHECK(profile.law == "full");
+}
+
+}  // namespace manzana::foliage_benchmark
