@@ -124,7 +124,7 @@ typedef struct manzana_host {
 typedef struct manzana_view_options {
   uint64_t gpu_bytes;            /* a city that needs more is not shown; 0: no limit */
   uint64_t upload_bytes_a_frame; /* of one render */
-  const char* quality;           /* "low", "high"; NULL: by the device */
+  const char* quality;           /* "fast", "balanced", "accurate", "exact"; NULL: by the device */
   int32_t linear_framebuffer;    /* the host's encodes what is written (GL_FRAMEBUFFER_SRGB) */
 } manzana_view_options;
 MANZANA_API manzana_view_options manzana_view_defaults(void);
@@ -170,7 +170,7 @@ MANZANA_API int manzana_view_place(manzana_view* view, size_t camera, int32_t x,
 typedef struct manzana_drawing {
   int32_t buildings, surfaces, trees, cars, sky, fog; /* layers: 0 or 1 */
   double sun[3];                                      /* towards it, local */
-  double tree_error_px;                               /* what is smaller may be wrong */
+  double tree_error_px;                               /* what is smaller may be wrong; 0: by quality */
   double wind;                                        /* 0 to 1 */
 } manzana_drawing;
 MANZANA_API manzana_drawing manzana_view_drawing(const manzana_view* view);

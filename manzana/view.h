@@ -33,7 +33,7 @@ struct Host {
 struct ViewOptions {
   std::uint64_t gpu_bytes = 0;  ///< a city that needs more is not shown, and the log says so; 0: no limit
   std::uint64_t upload_bytes_a_frame = 8 << 20;  ///< of one render()
-  std::string quality = {};                      ///< low or high; empty: by the device
+  std::string quality = {};                      ///< fast, balanced, accurate, exact; empty: by the device
   bool linear_framebuffer = false;               ///< the host's encodes what is written, as GL_FRAMEBUFFER_SRGB does
 };
 

@@ -50,6 +50,7 @@ Stage::Stage(const Scene& city, std::span<const foliage::PreparedPlant> plants, 
              draw::Size first_size)
     : scene(city), renderer(city, plants, quality), sets(city), size(first_size) {
   options.tree_error_px = quality.tree_error_px;
+  options.tree_law = quality.tree_law;
   renderer.resize(size);
 }
 
@@ -64,7 +65,7 @@ void apply(const Options& options, Stage& stage) {
   if (options.tree_error_px) stage.options.tree_error_px = *options.tree_error_px;
   stage.options.tree_vertices = options.tree_vertices;
   stage.tree_ms = options.tree_ms;
-  stage.options.tree_law = options.tree_law;
+  if (options.tree_law) stage.options.tree_law = options.tree_law;
   stage.options.trees_by_node = options.trees_by_node;
   stage.options.wind = options.wind ? 1 : 0;
 }

@@ -43,11 +43,11 @@ std::vector<FrameRow> draw_path(const Options& options, Stage& stage, const Came
   return rows;
 }
 
-void warn(const Options& options, std::span<const FrameRow> rows) {
-  const auto other_law = [&](const FrameRow& row) { return row.trees_visible > 0 && row.tree_law != options.tree_law; };
+void warn(foliage::Law asked, std::span<const FrameRow> rows) {
+  const auto other_law = [&](const FrameRow& row) { return row.trees_visible > 0 && row.tree_law != asked; };
   if (const auto n = std::count_if(rows.begin(), rows.end(), other_law); n > 0)
-    std::fprintf(stderr, "no room for what %s shows of trees: in %td of %zu frames %s shows less\n",
-                 name_of(options.tree_law), n, rows.size(), name_of(foliage::Law::ours));
+    std::fprintf(stderr, "no room for what %s shows of trees: in %td of %zu frames %s shows less\n", name_of(asked), n,
+                 rows.size(), name_of(foliage::Law::ours));
   const auto missing = [](const FrameRow& row) { return row.trees_missing > 0; };
   if (std::any_of(rows.begin(), rows.end(), missing)) std::fprintf(stderr, "%s\n", kTreesMissing);
 }
@@ -70,12 +70,11 @@ void run_headless(const Options& options, const Imported& city, std::span<const 
   Stage stage(city.scene, plants, quality, options.size);
   apply(options, stage);
   const std::vector<FrameRow> rows = draw_path(options, stage, path);
-  const std::string by_name = gl::software_renderer() ? "low" : "high";
-  const RunFacts facts{renderer, options.quality.empty() ? by_name : options.quality, path.name, largest_memory_mb()};
+  const RunFacts facts{renderer, quality.name, path.name, largest_memory_mb()};
   files::write_whole(options.out / "frames.csv", to_csv(rows));
   files::write_whole(options.out / "issues.txt", issue_table(city.issues));
   files::write_whole(options.out / "summary.json", summary_json(options, city, rows, facts));
-  warn(options, rows);
+  warn(*stage.options.tree_law, rows);
   print_result(options, rows);
 }
 

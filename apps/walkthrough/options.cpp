@@ -61,7 +61,7 @@ CLI::Validator within(double low, double high) {
 
 /// CLI11 sees strings; what they must look like is checked here, so that its messages name the option.
 struct Texts {
-  std::string size = "1280x720", structure = "bqr", tree_law = "ours", dispatch = "batched";
+  std::string size = "1280x720", structure, tree_law, dispatch = "batched";
   std::vector<std::string> plants, tree_columns;
 };
 
@@ -118,13 +118,15 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
           [](const std::string& text) { return std::string(parse_size(text) ? "" : "is no WIDTHxHEIGHT: " + text); },
           "")
       ->capture_default_str();
-  app.add_option("--structure", texts.structure, "bqr: cull by the BqR-Tree; none: draw everything")
-      ->check(CLI::IsMember({"bqr", "none"}))
-      ->capture_default_str();
+  app.add_option("--structure", texts.structure,
+                 "bqr: cull by the BqR-Tree; none: draw everything. Without it bqr, at quality exact none")
+      ->check(CLI::IsMember({"bqr", "none"}));
   app.add_option("--out", options.out, "folder for pictures, frames.csv, summary.json, recorded paths")
       ->capture_default_str();
-  app.add_option("--quality", options.quality, "low or high; without it the renderer's name decides")
-      ->check(CLI::IsMember({"low", "high"}));
+  app.add_option("--quality", options.quality,
+                 "fast, balanced, accurate: what trees and cars may be wrong by, as measured; exact: nothing is\n"
+                 "left out, nor culled. Without it balanced; in software fast, with one sample a pixel")
+      ->check(CLI::IsMember(draw::quality_names()));
   app.add_option("--seed", options.seed, "of scattered trees, cars and the built-in town")
       ->check([](const std::string& text) { return std::string(text.starts_with('-') ? "is negative: " + text : ""); },
               "")
@@ -132,7 +134,7 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
   app.add_option("--cars", options.cars, "how many; without it the length of the streets decides")
       ->check(CLI::Range(0, 1000000));
   app.add_option("--tree-error", options.tree_error_px,
-                 "pixels that may be wrong in trees; without it 1, at quality low 2")
+                 "pixels that may be wrong in trees; without it the quality decides")
       ->check(within(0.01, 1000));
   app.add_option("--tree-vertices", options.tree_vertices, "budget of a frame that may raise the error; 0: none")
       ->check(within(0, 1e9))
@@ -141,9 +143,10 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
                  "milliseconds of a whole frame; trees take what the rest leaves, and the error may rise; 0: no limit")
       ->check(within(0, 1e6))
       ->capture_default_str();
-  app.add_option("--tree-law", texts.tree_law, "how trees lose detail: ours, as a source does, or full for all of it")
-      ->check(CLI::IsMember(law_names()))
-      ->capture_default_str();
+  app.add_option("--tree-law", texts.tree_law,
+                 "how trees lose detail: ours, as a source does, or full for all of it; without it the quality\n"
+                 "decides")
+      ->check(CLI::IsMember(law_names()));
   app.add_flag("!--no-wind", options.wind, "trees stand still");
   app.add_option("--dispatch", texts.dispatch, "batched: all trees at once; node: each visible node's for itself")
       ->check(CLI::IsMember({"batched", "node"}))
@@ -159,8 +162,10 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
 
 Options finish(Options options, const Texts& texts) {
   options.size = *parse_size(texts.size);
-  options.structure = texts.structure == "none" ? Structure::none : Structure::bqr;
-  options.tree_law = foliage::law_named(texts.tree_law);
+  const std::string by_quality = options.quality == "exact" ? "none" : "bqr";
+  options.structure =
+      (texts.structure.empty() ? by_quality : texts.structure) == "none" ? Structure::none : Structure::bqr;
+  if (!texts.tree_law.empty()) options.tree_law = foliage::law_named(texts.tree_law);
   options.trees_by_node = texts.dispatch == "node";
   for (const std::string& column : texts.tree_columns) set_column(options.tree_columns, column);
   for (const std::string& plant : texts.plants) options.plants.push_back(*parse_plant(plant));

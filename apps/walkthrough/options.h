@@ -32,7 +32,7 @@ struct Options {
   draw::Size size{1280, 720};
   Structure structure = Structure::bqr;
   std::filesystem::path out = "manzana-out";
-  std::string quality;  ///< low or high; empty: by the renderer's name
+  std::string quality;  ///< fast, balanced, accurate or exact; empty: by the renderer's name
   std::uint64_t seed = 1;
   int cars = -1;  ///< -1: by the length of the streets
   double lod = ImportOptions{}.lod;
@@ -40,7 +40,7 @@ struct Options {
   std::vector<PlantFile> plants;
   std::optional<double> tree_error_px;  ///< without it the quality decides
   double tree_vertices = 0, tree_ms = 0;
-  foliage::Law tree_law = foliage::Law::ours;
+  std::optional<foliage::Law> tree_law;  ///< the same
   bool trees_by_node = false, wind = true;
 };
 

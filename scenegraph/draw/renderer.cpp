@@ -74,7 +74,8 @@ struct Renderer::State {
         buildings(city->buildings, uploads),
         surfaces(city->surfaces, uploads),
         paints(make_paint_programs()),
-        trees(scene, plants, {}),
+        trees(scene, plants,
+              asked.tree_law == foliage::Law::full ? limits_for_all(scene, plants) : foliage::ExtractLimits{}),
         cars(scene.traffic.cars()),
         car_shadows(make_shadow("shadow_car", shaders::shadow_car_vert)) {}
 
@@ -161,7 +162,7 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
     counts.surfaces = count(scene.surfaces.table, sets.objects());
     add(counts, draw_city(surfaces, paints, sets.objects(), stream));
   }
-  if (quality.shadows && layers.surfaces) {
+  if (layers.surfaces) {
     if (layers.trees) add(counts, draw_tree_shadows(trees));
     glBindVertexArray(cars.meshes.array.name());
     if (layers.cars) add(counts, draw_shadows(car_shadows, cars.selection.bins.total()));
@@ -219,7 +220,7 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
   for (const culling::LeafRun& run : sets.blocks()) {
     for (std::uint32_t b = run.first; b < run.last; ++b) s.rows[b] = relative_to(camera.eye, scene.blocks[b]);
   }
-  count_cars(sets.cars, camera.eye, f_px * s.quality.car_detail, s.cars.selection);
+  count_cars(sets.cars, camera.eye, f_px / s.quality.tree_error_px, s.cars.selection);
 
   FrameCounts counts;
   s.stream.begin(s.bytes_of_frame(sets) + stream_bytes(nodes));
@@ -228,7 +229,8 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
   clear(s.target(), options.transparent ? Vec4(0) : frame.horizon);
   s.upload_frame(sets, frame);
   if (options.layers.trees) {
-    const TreeDetail detail{options.tree_law, options.tree_error_px / f_px, options.tree_vertices,
+    const double error_px = options.tree_error_px > 0 ? options.tree_error_px : s.quality.tree_error_px;
+    const TreeDetail detail{options.tree_law.value_or(s.quality.tree_law), error_px / f_px, options.tree_vertices,
                             options.trees_by_node};
     extract_trees(s.trees, scene.trees, sets.objects(), s.rows, detail, s.stream);
     counts.tree_error_px = s.trees.law == foliage::Law::full ? 0 : s.trees.error_at_1m * f_px;

@@ -7,7 +7,9 @@
 ///   FrameCounts counts = renderer.draw(scene, sets, view, options);
 ///   renderer.present(0);                                             // to the window's framebuffer
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,15 +21,18 @@
 
 namespace manzana::draw {
 
-/// What a device is asked for. By the renderer's name, never by measured time, so that two runs give equal pictures.
+/// How much speed is given for accuracy. By the renderer's name, never by measured time, so that two runs give equal
+/// pictures. fast, balanced and accurate are points of the front that manzana-foliage-benchmark --trade measures
+/// (quality.csv: errors within twice the limits, once, half of them); exact leaves nothing out.
 struct Quality {
-  int samples = 4;           ///< 1: no multisampling; else leaves use alpha-to-coverage
-  double tree_error_px = 1;  ///< for DrawOptions, where nobody asks for another
-  double car_detail = 1;
-  bool shadows = true;  ///< soft dark ground under cars and trees
+  std::string name = "balanced";
+  int samples = 4;           ///< 1: no multisampling; at most what the device has
+  double tree_error_px = 1;  ///< in cars, too
+  foliage::Law tree_law = foliage::Law::ours;
 };
-Quality quality_for(std::string_view renderer);  ///< software renderers: `low`
-Quality quality_named(std::string_view name);    ///< low, high; throws std::invalid_argument
+Quality quality_for(std::string_view renderer);  ///< balanced; of software renderers fast, with one sample
+Quality quality_named(std::string_view name);    ///< throws std::invalid_argument, which names those that there are
+std::vector<std::string> quality_names();        ///< from fast to exact
 
 struct Layers {
   bool buildings = true, surfaces = true, trees = true, cars = true, sky = true, fog = true;
@@ -36,9 +41,9 @@ struct Layers {
 struct DrawOptions {
   Layers layers;
   Vec3d sun{0.45, -0.55, 0.70};  ///< towards the sun, in L; need not be of unit length
-  double tree_error_px = 1;      ///< what is smaller may be wrong
+  double tree_error_px = 0;      ///< what is smaller may be wrong; 0: what the quality says
   double tree_vertices = 0;      ///< at most so many in all trees: the error grows until they suffice; 0: no limit
-  foliage::Law tree_law = foliage::Law::ours;
+  std::optional<foliage::Law> tree_law = {};  ///< none: the quality's
   bool trees_by_node = false;    ///< each visible node dispatches its own extraction: same picture, for comparison
   double wind = 0;               ///< strength, 0 to 1
   double seconds = 0;            ///< of the wind

@@ -108,6 +108,22 @@ foliage::HostShaders plant_shaders() {
           .mosaics = {frame_layout_glsl, frame_glsl, light_glsl, plant_light_glsl, tree_mosaic_frag}};
 }
 
+foliage::ExtractLimits limits_for_all(const Scene& scene, std::span<const foliage::PreparedPlant> plants) {
+  constexpr std::uint64_t kMostQuads = 1U << 26;  // 128 MB of groups
+  std::uint64_t cells = 0, quads = 0;
+  for (const TreeInstance& tree : scene.trees.instances) {
+    if (tree.plant >= plants.size()) continue;  // which the layer does not accept
+    const foliage::PreparedPlant& plant = plants[tree.plant];
+    cells += plant.cells.size();
+    quads += plant.bark.size() + plant.leaves.size() +
+             foliage::glsl::kQuadGroup * (plant.cells.size() + foliage::glsl::kFixedItems);
+  }
+  foliage::ExtractLimits limits;
+  limits.cells = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(cells, limits.cells, foliage::kMostCells));
+  limits.quads = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(quads, limits.quads, kMostQuads));
+  return limits;
+}
+
 TreeLayerGpu::TreeLayerGpu(const Scene& scene, std::span<const foliage::PreparedPlant> prepared,
                            const foliage::ExtractLimits& limits)
     : plants(without_pictures(prepared)),

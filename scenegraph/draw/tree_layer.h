@@ -11,6 +11,9 @@ namespace manzana::draw {
 /// How plants are lit here; they read FrameData (camera.h) from uniform block 0.
 foliage::HostShaders plant_shaders();
 
+/// Room in the lists for all detail of all trees at once, as far as a device can have it.
+foliage::ExtractLimits limits_for_all(const Scene& scene, std::span<const foliage::PreparedPlant> plants);
+
 struct TreeLayerGpu {
   /// `plants`: by TreeInstance::plant; those that no tree is may be empty. Throws std::invalid_argument for too few.
   TreeLayerGpu(const Scene& scene, std::span<const foliage::PreparedPlant> plants,

@@ -42,7 +42,7 @@ TEST_CASE("edges lie within 0.1 px of where exact arithmetic puts them, wherever
       const BlockFrame& frame = scene.blocks[0];
       const culling::View view =
           look_in(frame, {0.013, -distance, 0.8 * static_cast<double>(grow)}, {0.01, 1, 0.003}, 60, kAspect);
-      Renderer renderer(scene, simple_plants(), quality_named("low"));
+      Renderer renderer(scene, simple_plants(), {.samples = 1});
       DrawOptions options;
       options.layers.sky = false;
       const VisibleSets sets = visible(scene, view, Structure::none);
@@ -94,7 +94,7 @@ TEST_CASE("the picture does not depend on where the scene lies") {
     sets.cars = {car};
     DrawOptions options;
     options.sun = scene.blocks[0].axes * Vec3d(0.45, -0.55, 0.7);
-    Renderer renderer(scene, simple_plants(), quality_named("low"));
+    Renderer renderer(scene, simple_plants(), {.samples = 1});
     return take_picture(renderer, kSize, scene, sets, view, options);
   };
   constexpr int kRounding = 12;   // of 255: noise under a texel's edge
@@ -123,7 +123,7 @@ TEST_CASE("surfaces at the tabulated gaps keep their order") {
       if (!front_first) std::swap(block.buildings[0], block.buildings[1]);
       const Scene scene = make_scene({block});
       const culling::View view = look_in(scene.blocks[0], {0, -row.distance, 0}, {0, 1, 0}, 40, kAspect);
-      Renderer renderer(scene, simple_plants(), quality_named("low"));
+      Renderer renderer(scene, simple_plants(), {.samples = 1});
       DrawOptions options;
       options.layers.fog = false;
       const Picture picture =

@@ -43,7 +43,7 @@ double median_triangles(const std::vector<FrameRow>& rows) {
 
 std::vector<unsigned char> picture(const Scene& scene, const std::vector<foliage::PreparedPlant>& plants,
                                    const CameraPose& pose) {
-  Stage stage(scene, plants, draw::quality_named("low"), {320, 180});
+  Stage stage(scene, plants, draw::quality_for("llvmpipe"), {320, 180});
   draw_frame(stage, view_of(scene.frame, pose, stage.aspect()), 5);
   return stage.renderer.read_pixels();
 }
@@ -54,7 +54,7 @@ TEST_CASE("city: along pina the tree submits at most 0.40 of all triangles, leve
   const gl::HeadlessContext context;
   const Imported city = import_city("builtin:town", {}, {});
   const CameraPath path = builtin_path("pina", city.scene);
-  Stage stage(city.scene, own_plants(city.scene), draw::quality_named("low"), {1280, 720});
+  Stage stage(city.scene, own_plants(city.scene), draw::quality_for("llvmpipe"), {1280, 720});
   const std::vector<FrameRow> bqr = along(stage, path);
   stage.structure = Structure::none;
   const std::vector<FrameRow> none = along(stage, path);

@@ -46,7 +46,7 @@ TEST_CASE("summary.json: holds what was agreed") {
   city.issues = {{"way 1", "x"}};
   city.scene.attribution = "\u00a9 someone";
   const auto rows = rows_of(100);
-  const auto json = nlohmann::json::parse(summary_json(options, city, rows, {"GL", "low", "pina", 123.5}));
+  const auto json = nlohmann::json::parse(summary_json(options, city, rows, {"GL", "fast", "pina", 123.5}));
   CHECK(json["structure"] == "none");
   CHECK(json["blocks"] == 7);
   CHECK(json["objects"] == 99);
@@ -61,7 +61,7 @@ TEST_CASE("summary.json: holds what was agreed") {
   CHECK(json["median"]["frame_ms"] == Approx(501.05));
   CHECK(json["p99"]["draw_ms"] == 990);
   CHECK(json["renderer"] == "GL");
-  CHECK(json["quality"] == "low");
+  CHECK(json["quality"] == "fast");
   CHECK(json["path"] == "pina");
   CHECK(json["memory_mb"] == 123.5);
   CHECK(json["attribution"] == "\u00a9 someone");

@@ -37,7 +37,7 @@ TEST_CASE("options: every option arrives") {
                                "--size",       "320x180",
                                "--structure",  "none",
                                "--out",        "somewhere",
-                               "--quality",    "high",
+                               "--quality",    "accurate",
                                "--seed",       "18446744073709551615",
                                "--cars",       "7",
                                "--plant",      "conifer=a=b.glb",
@@ -53,7 +53,7 @@ TEST_CASE("options: every option arrives") {
   CHECK(o.size.height == 180);
   CHECK(o.structure == Structure::none);
   CHECK(o.out == "somewhere");
-  CHECK(o.quality == "high");
+  CHECK(o.quality == "accurate");
   CHECK(o.seed == 18446744073709551615ULL);
   CHECK(o.cars == 7);
   REQUIRE(o.plants.size() == 2);
@@ -62,10 +62,16 @@ TEST_CASE("options: every option arrives") {
   CHECK(o.plants[1].species == PlantSpecies::shrub);
 }
 
+TEST_CASE("options: exact culls nothing unless asked to") {
+  CHECK(parse({"--quality", "exact"}).options->structure == Structure::none);
+  CHECK(parse({"--quality", "exact", "--structure", "bqr"}).options->structure == Structure::bqr);
+  CHECK(parse({"--quality", "accurate"}).options->structure == Structure::bqr);
+}
+
 TEST_CASE("options: how much of trees is drawn") {
   const Parsed plain = parse({});
   REQUIRE(plain.options);
-  CHECK(plain.options->tree_law == foliage::Law::ours);
+  CHECK(!plain.options->tree_law);
   CHECK(plain.options->wind);
   CHECK(plain.options->tree_ms == 0);
   CHECK_FALSE(plain.options->tree_error_px);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "scenegraph/draw/renderer.h"
 #include "tests/support/data.h"
 #include "tests/support/program.h"
 
@@ -139,7 +140,8 @@ TEST_CASE("program: the error in trees is what was asked for, and a law without 
     return std::pair(errors, ended.err);
   };
   for (const double error : errors_of({"--tree-error", "3"}).first) CHECK(error == 3);
-  for (const double error : errors_of({"--quality", "high"}).first) CHECK(error == 1);
+  for (const double error : errors_of({"--quality", "accurate"}).first)
+    CHECK(error == manzana::draw::quality_named("accurate").tree_error_px);
   const auto [errors, said] = errors_of({"--tree-law", "gadbem"});
   CHECK(said.find("no room for what gadbem shows") != std::string::npos);
 }
