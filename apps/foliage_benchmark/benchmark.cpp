@@ -201,7 +201,10 @@ void measure_trade(const Options& options, std::span<const foliage::PreparedPlan
   const auto rows = measure_trade(
       plants, plan, [&](double done) { bar.show("image errors", done); }, record);
   const Effort effort{options.quick, options.out};
-  const Times times = measure_rows(effort, [&](Times& t) { add_trade_costs(effort, plants, plan, t); });
+  const Times times = measure_rows(effort, [&](Times& t) {
+    add_trade_costs(effort, plants, plan, t);
+    add_zhang(effort, plants, t);
+  });
   std::vector<TradePoint> points = trade_points(rows, times);
   const std::vector<Profile> profiles = choose_profiles(points);
   files::write_whole(options.out / "runs.csv", apps::to_csv<ErrorRow>(rows, error_columns()));
@@ -212,8 +215,8 @@ void measure_trade(const Options& options, std::span<const foliage::PreparedPlan
                          "\n## summary.csv and front.csv: means over the views\n" + apps::explain(trade_columns()) +
                          "\n## times.csv: two ways timed in turn\n" + explain_times());
   const auto drawn = apps::draw_all(options.out, trade_plots(points));
-  files::write_whole(options.out / "report.md",
-                     head_md(options, plants, times.dirty) + trade_md(points, profiles, plan) + plots_md(drawn));
+  files::write_whole(options.out / "report.md", head_md(options, plants, times.dirty) +
+                                                    trade_md(points, profiles, plan) + times.text + plots_md(drawn));
   std::erase_if(points, [](const TradePoint& p) { return p.front.empty(); });
   files::write_whole(options.out / "front.csv", apps::to_csv<TradePoint>(points, trade_columns()));
 }

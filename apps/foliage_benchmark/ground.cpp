@@ -7,11 +7,8 @@
 #include "apps/common/quantile.h"
 
 namespace manzana::foliage_benchmark {
-namespace {
 
 using foliage::Law;
-
-}  // namespace
 
 Ground::Ground(std::span<const foliage::PreparedPlant> plants, const std::vector<foliage::TreeSite>& sites,
                double most_full_quads)

@@ -94,12 +94,6 @@ Extent extent_of(const foliage::PreparedPlant& plant) {
   return extent;
 }
 
-std::vector<Extent> extents_of(std::span<const foliage::PreparedPlant> plants) {
-  std::vector<Extent> extents;
-  std::transform(plants.begin(), plants.end(), std::back_inserter(extents), extent_of);
-  return extents;
-}
-
 Shot shot_of(const Extent& extent, double azimuth, double elevation, double height_px) {
   Shot shot;
   shot.focal_px = kFocalPx;

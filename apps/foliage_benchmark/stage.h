@@ -32,7 +32,6 @@ struct Extent {
   double low = 0, high = 0, radius = 0, nominal_height = 0;
 };
 Extent extent_of(const foliage::PreparedPlant& plant);
-std::vector<Extent> extents_of(std::span<const foliage::PreparedPlant> plants);
 
 /// From so far that the plant's height has so many pixels; the picture holds all of it, and a margin for what windows
 /// reach. Angles in radians.
