@@ -12,6 +12,7 @@
 #include "scenegraph/export/geopackage.h"
 #include "scenegraph/export/tiles.h"
 #include "scenegraph/import/scene_plants.h"
+#include "scenegraph/import/terrain.h"
 
 namespace {
 
@@ -60,7 +61,9 @@ int bake_plant(const bake::Options& options) {
 }
 
 Imported read(const bake::Options& options, const Progress& show) {
-  Imported city = import_city(options.city, options.import, show);
+  CityFeatures features = read_city(options.city, options.import, show);
+  const Terrain terrain = options.terrain.empty() ? Terrain() : read_terrain(options.terrain, features);
+  Imported city = build_scene(std::move(features), terrain, options.import, show);
   if (!city.issues.empty())
     std::printf("issues     %zu of the file, as the walkthrough lists them\n", city.issues.size());
   return city;

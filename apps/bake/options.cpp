@@ -55,6 +55,7 @@ CLI::App* add_city_command(CLI::App& app, const char* name, const char* about, c
       ->required();
   command->add_option("-o,--out", options.out, out)->required();
   command->add_option("--seed", options.import.seed, "of scattered trees and the built-in town")->capture_default_str();
+  command->add_option("--terrain", options.terrain, "relief to stand on: GeoTIFF or SRTM (.tif, .hgt, .hgt.zip)");
   command->add_option("--crs", options.import.reference_system,
                       "reference system of files that name none, as EPSG:28992");
   return command;

@@ -18,7 +18,8 @@ struct Options {
   std::filesystem::path out;
   foliage::PlantSource source;  ///< of a plant
   VisibilityBy visibility = VisibilityBy::best;
-  std::string city;  ///< of all other commands
+  std::string city;               ///< of all other commands
+  std::filesystem::path terrain;  ///< empty: level
   ImportOptions import{.cars = 0};
 };
 

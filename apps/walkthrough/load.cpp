@@ -12,6 +12,7 @@
 #include "foliage/import/species.h"
 #include "scenegraph/import/cityjson.h"
 #include "scenegraph/import/ecosystem_features.h"
+#include "scenegraph/import/terrain.h"
 #include "scenegraph/import/tree_species.h"
 
 namespace manzana::walkthrough {
@@ -118,7 +119,8 @@ Imported load_city(const Options& options, Plants& plants) {
   if (!all && !options.city.empty()) all = read_city(options.city, how, show);
   for (const std::string& city : options.more) add(read_city(city, how, show));
   for (const auto& list : options.tree_lists) add(read_tree_list(list, options.tree_columns, how));
-  return build_scene(std::move(*all), how, show);
+  const Terrain terrain = options.terrain.empty() ? Terrain() : read_terrain(options.terrain, *all);
+  return build_scene(std::move(*all), terrain, how, show);
 }
 
 void load_other_plants(const Options& options, const Scene& scene, Plants& plants) {

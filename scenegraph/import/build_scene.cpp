@@ -10,10 +10,13 @@
 #include "culling/hash.h"
 #include "scenegraph/import/blocks.h"
 #include "scenegraph/import/build_traffic.h"
+#include "scenegraph/import/geos.h"
 #include "scenegraph/import/import.h"
 #include "scenegraph/import/layers.h"
 #include "scenegraph/import/meshes.h"
 #include "scenegraph/import/paved_ground.h"
+#include "scenegraph/import/surface_piece.h"
+#include "scenegraph/import/terrain.h"
 
 namespace manzana {
 namespace {
@@ -22,8 +25,8 @@ using culling::BoxD;
 
 class Builder {
  public:
-  Builder(CityFeatures features, const ImportOptions& options, const Progress& progress)
-      : f_(std::move(features)), options_(options), progress_(progress) {
+  Builder(CityFeatures features, const Terrain& terrain, const ImportOptions& options, const Progress& progress)
+      : f_(std::move(features)), terrain_(terrain), options_(options), progress_(progress) {
     scene_.frame = f_.frame;
   }
 
@@ -62,6 +65,7 @@ class Builder {
     const StreetFaces faces(graph_);
     for (AreaFeature& area : paved_ground(faces, f_.buildings)) f_.areas.push_back(std::move(area));
     pieces_ = area_pieces(f_.areas, f_.issues);
+    cover_terrain();
     for (SurfacePiece& piece : street_pieces(graph_, f_.issues)) pieces_.push_back(std::move(piece));
     tell(0.4);
     BlockOptions options;
@@ -69,6 +73,14 @@ class Builder {
     plan_ = find_blocks(graph_, faces, centers(), options);
     frames_.reserve(plan_.blocks.size());
     for (const BlockGround& ground : plan_.blocks) frames_.push_back(block_frame(f_.frame, ground.center));
+  }
+
+  // Below all that is laid on it: grass, where a terrain is known.
+  void cover_terrain() {
+    if (terrain_.level()) return;
+    const Vec2d low = terrain_.origin, high = terrain_.end();
+    const Polygon all{{low, {high.x, low.y}, high, {low.x, high.y}}, {}};
+    append_area(pieces_, Geos(), all, {"terrain", Material::grass, 0}, f_.issues);
   }
 
   std::vector<Vec2d> centers() const {
@@ -97,9 +109,9 @@ class Builder {
 
   void drive() {
     tell(0.45);
-    scene_.traffic =
-        build_traffic(f_.frame, graph_, plan_.half_streets, static_cast<std::uint32_t>(plan_.blocks.size()),
-                      {.cars = options_.cars, .left_hand = f_.left_hand_traffic, .seed = options_.seed});
+    scene_.traffic = build_traffic(
+        f_.frame, graph_, plan_.half_streets, static_cast<std::uint32_t>(plan_.blocks.size()),
+        {.cars = options_.cars, .left_hand = f_.left_hand_traffic, .seed = options_.seed, .terrain = &terrain_});
   }
 
   void make_meshes() {
@@ -109,7 +121,7 @@ class Builder {
     tbb::parallel_for(std::size_t{0}, buildings_.size(), [&](std::size_t i) {
       MeshObject& object = buildings_[i];
       object.block = plan_.of[i];
-      const Site site{f_.frame, frames_[object.block]};
+      const Site site{f_.frame, frames_[object.block], &terrain_};
       const std::size_t own = i - f_.buildings.size();
       if (i < f_.buildings.size())
         append_building(object.mesh, site, f_.buildings[i], issues[i]);
@@ -123,7 +135,7 @@ class Builder {
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
       MeshObject& object = surfaces_[i];
       object.block = plan_.of[first_piece() + i];
-      object.mesh = lay(std::move(pieces_[i]), {f_.frame, frames_[object.block]});
+      object.mesh = lay(std::move(pieces_[i]), {f_.frame, frames_[object.block], &terrain_});
       object.box = bounds(object.mesh, frames_[object.block]);
     });
     plant_all();
@@ -146,7 +158,8 @@ class Builder {
   void plant(const PlacedPlant& placed) {
     const std::size_t i = trees_.size();
     const std::uint32_t block = plan_.of[first_tree() + i];
-    const Vec3d foot = ground_point(f_.frame, frames_[block], Vec2d(placed.position), placed.position.z);
+    const Vec3d foot = ground_point(f_.frame, frames_[block], Vec2d(placed.position),
+                                    placed.position.z + terrain_.at(Vec2d(placed.position)));
     TreeObject& object = trees_.emplace_back();
     object.instance = {.position = foot,
                        .height_m = static_cast<float>(placed.height),
@@ -231,6 +244,7 @@ class Builder {
   }
 
   CityFeatures f_;
+  const Terrain& terrain_;
   const ImportOptions& options_;
   const Progress& progress_;
   Scene scene_;
@@ -246,7 +260,12 @@ class Builder {
 }  // namespace
 
 Imported build_scene(CityFeatures features, const ImportOptions& options, const Progress& progress) {
-  return Builder(std::move(features), options, progress).run();
+  return build_scene(std::move(features), Terrain(), options, progress);
+}
+
+Imported build_scene(CityFeatures features, const Terrain& terrain, const ImportOptions& options,
+                     const Progress& progress) {
+  return Builder(std::move(features), terrain, options, progress).run();
 }
 
 }  // namespace manzana

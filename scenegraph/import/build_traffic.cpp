@@ -102,7 +102,7 @@ class TrafficBuilder {
   bool give_up_meetings() {
     plan_.cars = ~std::uint32_t{0};
     const std::vector<std::uint32_t> no_blocks(2 * graph_.edges.size(), 0);
-    const Traffic full = write_traffic(LocalFrame(), plan_, no_blocks, options_.seed);
+    const Traffic full = write_traffic(LocalFrame(), plan_, no_blocks, options_.seed, nullptr);
     return give_up_lessers(find_meetings(full, plan_.slots.cycle));
   }
 
@@ -168,7 +168,7 @@ Traffic build_traffic(const LocalFrame& frame, const StreetGraph& graph,
                       const TrafficOptions& options) {
   assert(half_street_blocks.size() == 2 * graph.edges.size());
   const TrafficPlan plan = TrafficBuilder(graph, options).run();
-  Traffic traffic = write_traffic(frame, plan, half_street_blocks, options.seed);
+  Traffic traffic = write_traffic(frame, plan, half_street_blocks, options.seed, options.terrain);
   index_blocks(traffic, blocks);
   return traffic;
 }

@@ -8,10 +8,13 @@
 
 namespace manzana {
 
+struct Terrain;
+
 struct TrafficOptions {
   int cars = -1;  ///< -1: by the length of the streets, at most 20 000
   bool left_hand = false;
   std::uint64_t seed = 1;
+  const Terrain* terrain = nullptr;  ///< null: level
 };
 
 /// Edges that carry traffic get a half-street each way (one-way streets: one), as far as closed circuits can be made of

@@ -161,7 +161,7 @@ Polygon tidied(const Polygon& shape, const Vec2d& origin) {
 void append_building(CityMesh& mesh, const Site& site, const BuildingFeature& building, std::vector<Issue>& issues) {
   if (const char* what = fault(building)) return issues.push_back({building.where, what});
   const Geos geos;
-  const Laying laying(site, building.footprint.outer[0]);
+  const Laying laying(site, building.footprint.outer[0], lowest_ground(site, building.footprint.outer));
   bool mended = false;
   const std::vector<Polygon> parts = geos.valid_polygons(tidied(building.footprint, laying.origin), mended);
   const std::size_t before = mesh.indices.size();

@@ -69,7 +69,7 @@ struct WallExtent {
 class Builder {
  public:
   Builder(CityMesh& mesh, const Site& site, const ConstructionFeature& work)
-      : mesh_(mesh), work_(work), laying_(site, Vec2d(work.points[0])) {
+      : mesh_(mesh), work_(work), laying_(site, Vec2d(work.points[0]), lowest_ground(site, work.points)) {
     for (const Vec3d& p : work.points) points_.push_back(p - Vec3d(laying_.origin, 0));
   }
 

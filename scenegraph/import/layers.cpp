@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "foliage/wind.h"
+#include "scenegraph/import/terrain.h"
 
 namespace manzana {
 namespace {
@@ -47,6 +48,7 @@ BoxD bounds(const TreeInstance& tree, const BlockFrame& frame) {
 }
 
 CityMesh lay(SurfacePiece piece, const Site& site) {
+  if (site.terrain != nullptr) drape(piece.plan, piece.center, *site.terrain);
   for (CityVertex& v : piece.plan.vertices) {
     const Vec2d plan = piece.center + Vec2d(v.position.x, v.position.y);
     v.position = ground_point(site.frame, site.block, plan, static_cast<double>(v.position.z));

@@ -9,10 +9,13 @@
 
 namespace manzana {
 
+struct Terrain;
+
 /// Where meshes are laid: both frames, for ground_point().
 struct Site {
   const LocalFrame& frame;
   const BlockFrame& block;
+  const Terrain* terrain = nullptr;  ///< null: level
 };
 
 /// Walls (with window bays and storeys), roof, and a floor where min_height > 0. Self-crossing outlines are mended by

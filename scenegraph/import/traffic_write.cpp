@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include "culling/hash.h"
+#include "scenegraph/import/terrain.h"
 
 namespace manzana {
 namespace {
 
 constexpr double kStreetLayer = 0.13;    // metres: carriageways lie so high above the ground
+constexpr double kLongestOnRelief = 8;   // metres
 constexpr double kLongestPiece = 150;    // metres, of a line on the round Earth: sags by under half a millimetre
 constexpr double kBlend = 2;             // metres: from one straight part's heading to the next one's
 constexpr double kShortestCircuit = 30;  // metres: shorter ones stay without cars
@@ -21,8 +23,9 @@ struct Place {
 
 class Writer {
  public:
-  Writer(const LocalFrame& frame, const TrafficPlan& plan, std::span<const std::uint32_t> blocks)
-      : frame_(frame), plan_(plan), blocks_(blocks) {}
+  Writer(const LocalFrame& frame, const TrafficPlan& plan, std::span<const std::uint32_t> blocks,
+         const Terrain* terrain)
+      : frame_(frame), plan_(plan), blocks_(blocks), terrain_(terrain) {}
 
   Traffic run(std::uint64_t seed) {
     for (const auto& [first, last] : plan_.circuits) append_circuit(first, last);
@@ -76,7 +79,11 @@ class Writer {
     out_.halves.push_back(half);
   }
 
-  Vec3d on_ground(const Vec3d& p) const { return {p.x, p.y, frame_.ground_z({p.x, p.y}) + p.z + kStreetLayer}; }
+  bool relief() const { return terrain_ != nullptr && !terrain_->level(); }
+  Vec3d on_ground(const Vec3d& p) const {
+    const Vec2d plan(p);
+    return {plan, frame_.ground_z(plan) + (relief() ? terrain_->at(plan) : 0) + p.z + kStreetLayer};
+  }
 
   void append_points(const Lane& lane, const Ride& ride) {
     const std::size_t first = out_.points.size();
@@ -99,7 +106,8 @@ class Writer {
       out_.points.push_back({on_ground(glm::mix(a, b, along / length)), s + along, {}});
     };
     if (length > 3 * kBlend) {
-      const int parts = std::max(1, static_cast<int>(std::ceil(length / kLongestPiece)));
+      const int parts =
+          std::max(1, static_cast<int>(std::ceil(length / (relief() ? kLongestOnRelief : kLongestPiece))));
       for (int k = 0; k <= parts; ++k) add(kBlend + (length - 2 * kBlend) * k / parts);
     }
     add(length);
@@ -155,6 +163,7 @@ class Writer {
   const LocalFrame& frame_;
   const TrafficPlan& plan_;
   std::span<const std::uint32_t> blocks_;
+  const Terrain* terrain_;
   Traffic out_;
   std::vector<std::uint32_t> cycles_;  // of a lap, by circuit
 };
@@ -174,8 +183,8 @@ void set_step(Circuit& circuit, std::uint64_t ticks_a_lap) {
 }
 
 Traffic write_traffic(const LocalFrame& frame, const TrafficPlan& plan,
-                      std::span<const std::uint32_t> half_street_blocks, std::uint64_t seed) {
-  return Writer(frame, plan, half_street_blocks).run(seed);
+                      std::span<const std::uint32_t> half_street_blocks, std::uint64_t seed, const Terrain* terrain) {
+  return Writer(frame, plan, half_street_blocks, terrain).run(seed);
 }
 
 }  // namespace manzana

@@ -13,9 +13,12 @@ struct TrafficPlan {
   std::uint32_t cars = 0;  ///< wanted
 };
 
-/// Lanes are laid on the ground; cars are spread over the slots by a hash of the seed. No index of blocks yet.
+struct Terrain;
+
+/// Lanes are laid on the ground, on a terrain where it is not null; cars are spread over the slots by a hash of the
+/// seed. No index of blocks yet.
 Traffic write_traffic(const LocalFrame& frame, const TrafficPlan& plan,
-                      std::span<const std::uint32_t> half_street_blocks, std::uint64_t seed);
+                      std::span<const std::uint32_t> half_street_blocks, std::uint64_t seed, const Terrain* terrain);
 
 /// Phase a tick for a lap of so many ticks: 2^64 / ticks, the whole part and 32 bits more, rounded down.
 void set_step(Circuit& circuit, std::uint64_t ticks_a_lap);
