@@ -15,7 +15,8 @@ constexpr const char* kPlant =
     "L-systems.";
 
 constexpr const char* kTiles =
-    "Write a city as a 3D Tiles 1.1 tileset, for CesiumJS and others: DIR/tileset.json and DIR/tiles/*.glb. Tiles are\n"
+    "Write a city as a 3D Tiles 1.1 tileset, for CesiumJS and others: DIR/tileset.json, DIR/tiles, DIR/plants. Tiles "
+    "are\n"
     "the nodes and blocks of the BqR-Tree. DIR is made, whole or not at all.";
 
 constexpr const char* kGeopackage =

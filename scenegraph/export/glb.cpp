@@ -47,6 +47,25 @@ tinygltf::Primitive encode(GltfWriter& out, const TileMesh& mesh) {
   return primitive;
 }
 
+/// The views and accessors of another model, whose buffer is a file here.
+tinygltf::Primitive take_over(GltfWriter& out, const GltfWriter& other, tinygltf::Primitive primitive,
+                              const std::string& uri) {
+  const int buffer = out.external_buffer(uri, other.model.buffers[0].data.size());
+  const int views = static_cast<int>(out.model.bufferViews.size()),
+            accessors = static_cast<int>(out.model.accessors.size());
+  for (tinygltf::BufferView view : other.model.bufferViews) {
+    view.buffer = buffer;
+    out.model.bufferViews.push_back(std::move(view));
+  }
+  for (tinygltf::Accessor accessor : other.model.accessors) {
+    accessor.bufferView += views;
+    out.model.accessors.push_back(std::move(accessor));
+  }
+  for (auto& [name, index] : primitive.attributes) index += accessors;
+  primitive.indices += accessors;
+  return primitive;
+}
+
 Value feature_ids(std::size_t count, const char* label) {
   Value::Array sets;
   sets.push_back(gltf_object({{"featureCount", Value(static_cast<int>(count))},
@@ -93,6 +112,14 @@ class Encoder {
   tinygltf::Primitive primitive_of(const TileMesh& mesh, bool both_sides) {
     if (out_.model.materials.empty()) add_material(both_sides ? "plant" : "city", both_sides);
     return encode(out_, mesh);
+  }
+
+  tinygltf::Primitive primitive_of(const TreeModel& model) {
+    if (model.uri.empty()) return primitive_of(model.mesh, true);
+    if (out_.model.materials.empty()) add_material("plant", true);
+    GltfWriter shared;
+    tinygltf::Primitive primitive = encode(shared, model.mesh);
+    return take_over(out_, shared, std::move(primitive), model.uri);
   }
 
   void add_node(const std::string& name, tinygltf::Primitive primitive, tinygltf::ExtensionMap extensions = {}) {
@@ -185,7 +212,7 @@ class Encoder {
     tinygltf::ExtensionMap extensions;
     extensions["EXT_mesh_gpu_instancing"] = gltf_object({{"attributes", Value(attributes)}});
     extensions["EXT_instance_features"] = feature_ids(count, "tree");
-    add_node(model.species, primitive_of(model.mesh, true), std::move(extensions));
+    add_node(model.species, primitive_of(model), std::move(extensions));
   }
 
   void enclose(const TileMesh& model, const TreeRow& tree) {
@@ -208,6 +235,15 @@ class Encoder {
 };
 
 }  // namespace
+
+TreeModel share(TreeModel model, const std::string& uri) {
+  GltfWriter shared;
+  encode(shared, model.mesh);
+  const std::vector<unsigned char>& bytes = shared.model.buffers[0].data;
+  model.bytes.assign(bytes.begin(), bytes.end());
+  model.uri = uri;
+  return model;
+}
 
 EncodedTile encode_city(const TileContent& content, const std::string& attribution) {
   return Encoder(attribution).city(content);

@@ -15,13 +15,19 @@ struct EncodedTile {
   culling::BoxD box;  ///< in the tile's frame: of every vertex of every instance, with room for what floats round
 };
 
+/// A model in a file of its own, for all tiles that show it; or, without one, in each tile.
 struct TreeModel {
   TileMesh mesh;
   std::string species;
+  std::string uri = {};    ///< of `bytes`, as seen from a tile; empty: there is no such file
+  std::string bytes = {};  ///< its file
 };
 using TreeModels = std::map<std::uint16_t, TreeModel>;  ///< by TreeInstance::plant
 
 EncodedTile encode_city(const TileContent& content, const std::string& attribution);
+/// To be written to the file that `uri` names.
+TreeModel share(TreeModel model, const std::string& uri);
+
 /// `models`: of each plant of content.trees, none without triangles.
 EncodedTile encode_trees(const TileContent& content, const TreeModels& models, const std::string& attribution);
 

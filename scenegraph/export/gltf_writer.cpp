@@ -1,6 +1,8 @@
 #include "scenegraph/export/gltf_writer.h"
 
 #include <algorithm>
+#include <cstring>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -41,22 +43,38 @@ void GltfWriter::use_extension(const std::string& name, bool required) {
   if (required) add(model.extensionsRequired);
 }
 
-std::string GltfWriter::written() const {
-  std::ostringstream out;
-  if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, out, false, true))
-    throw std::runtime_error("glTF could not be written");
-  return std::move(out).str();
+int GltfWriter::external_buffer(const std::string& uri, std::size_t bytes) {
+  external_.emplace_back(uri, bytes);
+  return static_cast<int>(external_.size());
 }
 
+// tinygltf would put other buffers into the text; so they are named afterwards. The first begins behind 28 bytes and
+// the text, and tables want it at a multiple of 8.
 std::string GltfWriter::glb() {
   std::vector<unsigned char>& bytes = model.buffers[0].data;
   bytes.resize((bytes.size() + 7) / 8 * 8, 0);
-  std::string all = written();
-  // The buffer begins behind 28 bytes and the text, padded to 4; tables want it at a multiple of 8.
-  const auto text = static_cast<unsigned char>(all[12]);
-  if (text % 8 == 4) return all;
-  model.asset.generator.append(4, ' ');
-  return written();
+  std::ostringstream out;
+  if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, out, false, true))
+    throw std::runtime_error("glTF could not be written");
+  const std::string written = std::move(out).str();
+  const auto word = [&](std::size_t at) {
+    std::uint32_t value;
+    std::memcpy(&value, written.data() + at, sizeof value);
+    return value;
+  };
+  nlohmann::json json = nlohmann::json::parse(written.substr(20, word(12)));
+  for (const auto& [uri, size] : external_) json["buffers"].push_back({{"uri", uri}, {"byteLength", size}});
+  std::string text = json.dump();
+  text.resize((text.size() + 3) / 8 * 8 + 4, ' ');
+  const std::string rest = written.substr(20 + word(12));
+  std::string all = written.substr(0, 20) + text + rest;
+  const auto put = [&](std::size_t at, std::size_t value) {
+    const auto number = static_cast<std::uint32_t>(value);
+    std::memcpy(all.data() + at, &number, sizeof number);
+  };
+  put(8, all.size());
+  put(12, text.size());
+  return all;
 }
 
 PropertyTable::PropertyTable(GltfWriter& out, std::string name, std::size_t rows)

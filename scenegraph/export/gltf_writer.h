@@ -1,6 +1,6 @@
 #pragma once
-/// Builds a glTF model with one buffer: each list gets a view of its own, from a multiple of 8 bytes on, as
-/// EXT_structural_metadata wants it.
+/// Builds a glTF model: each list gets a view of its own of the first buffer, from a multiple of 8 bytes on, as
+/// EXT_structural_metadata wants it. Other buffers lie in files beside.
 ///   GltfWriter out;
 ///   const int positions = out.accessor(points, TINYGLTF_TYPE_VEC3, TINYGLTF_TARGET_ARRAY_BUFFER);
 ///   std::string glb = out.glb();
@@ -50,11 +50,13 @@ class GltfWriter {
     model.accessors.push_back(std::move(out));
     return static_cast<int>(model.accessors.size() - 1);
   }
+  /// Of a file: its number.
+  int external_buffer(const std::string& uri, std::size_t bytes);
   void use_extension(const std::string& name, bool required = false);
   std::string glb();
 
  private:
-  std::string written() const;
+  std::vector<std::pair<std::string, std::size_t>> external_;  // buffers from 1 on: URI, bytes
 };
 
 /// {"a": 1, "b": "x"} of tinygltf.

@@ -16,7 +16,7 @@ struct Tile {
 };
 
 /// What may be wrong in the leaves' trees, metres: cards of that size stand for leaves.
-inline constexpr double kLeafError = 0.8;
+inline constexpr double kLeafError = 0.5;
 
 /// Blocks without objects have none. Empty for a scene without objects.
 std::vector<Tile> tile_tree(const Scene& scene);

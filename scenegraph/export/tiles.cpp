@@ -135,6 +135,12 @@ class Writer {
     files::make_folder(whole.part() / "tiles");
     for (const TreeInstance& tree : scene_.trees.instances) stand_.insert(tree.plant);
     leaf_models_ = models_at(kLeafError);
+    if (!stand_.empty()) files::make_folder(whole.part() / "plants");
+    for (auto& [plant, model] : leaf_models_) {
+      const std::string name = "plants/" + std::to_string(plant) + ".bin";
+      model = share(std::move(model), "../" + name);
+      write(whole.part() / name, model.bytes);
+    }
     write_contents(whole.part());
     find_spheres(tiles_, bounds_);
     write(whole.part() / "tileset.json", tileset().dump(1));

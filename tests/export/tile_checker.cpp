@@ -38,7 +38,8 @@ class Decoder {
   std::vector<T> list_of(int view) const {
     const tinygltf::BufferView& v = model_.bufferViews.at(static_cast<std::size_t>(view));
     std::vector<T> list(v.byteLength / sizeof(T));
-    std::memcpy(list.data(), model_.buffers.at(0).data.data() + v.byteOffset, list.size() * sizeof(T));
+    std::memcpy(list.data(), model_.buffers.at(static_cast<std::size_t>(v.buffer)).data.data() + v.byteOffset,
+                list.size() * sizeof(T));
     return list;
   }
   const tinygltf::Accessor& accessor(int index) const { return model_.accessors.at(static_cast<std::size_t>(index)); }

@@ -73,7 +73,7 @@ TEST_CASE("tiles: the village has every vertex of every instance within its volu
   const CheckedTiles checked = check_tiles(baked.tiles());
   CHECK(checked.faults == std::vector<std::string>());
   CHECK(checked.tiles == baked.written.tiles);
-  CHECK(checked.contents + 1 == baked.written.files);  // and tileset.json
+  CHECK(checked.contents + 1 + files_in(baked.tiles() / "plants") == baked.written.files);  // and tileset.json
   CHECK(checked.instances > baked.city.scene.trees.table.size());
   CHECK(files_in(baked.folder.path()) == 1);
 }
@@ -86,6 +86,8 @@ TEST_CASE("tiles: the same again is the same to the byte") {
   CHECK(files_in(again / "tiles") == files_in(baked.tiles() / "tiles"));
   for (const auto& entry : std::filesystem::directory_iterator(again / "tiles"))
     CHECK(read_all(entry.path()) == read_all(baked.tiles() / "tiles" / entry.path().filename()));
+  for (const auto& entry : std::filesystem::directory_iterator(again / "plants"))
+    CHECK(read_all(entry.path()) == read_all(baked.tiles() / "plants" / entry.path().filename()));
 }
 
 TEST_CASE("tiles: the leaves hold all buildings and trees with their heights") {

@@ -8,7 +8,8 @@ const folder = path.join(process.argv[2], 'tiles');
 const files = fs.readdirSync(folder);
 let faults = 0;
 for (const file of files) {
-  const report = await validator.validateBytes(new Uint8Array(fs.readFileSync(path.join(folder, file))));
+  const beside = async (uri) => new Uint8Array(fs.readFileSync(path.join(folder, uri)));
+  const report = await validator.validateBytes(new Uint8Array(fs.readFileSync(path.join(folder, file))), { externalResourceFunction: beside });
   for (const m of report.issues.messages) {
     if (m.severity > 1) continue;
     console.log(`${file} ${m.pointer}: ${m.code}: ${m.message}`);
