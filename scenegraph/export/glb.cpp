@@ -7,6 +7,13 @@
 #include "scenegraph/export/gltf_writer.h"
 
 namespace manzana {
+
+struct SharedModel {
+  std::vector<tinygltf::BufferView> views;
+  std::vector<tinygltf::Accessor> accessors;
+  tinygltf::Primitive primitive;
+};
+
 namespace {
 
 using tinygltf::Value;
@@ -48,16 +55,16 @@ tinygltf::Primitive encode(GltfWriter& out, const TileMesh& mesh) {
 }
 
 /// The views and accessors of another model, whose buffer is a file here.
-tinygltf::Primitive take_over(GltfWriter& out, const GltfWriter& other, tinygltf::Primitive primitive,
-                              const std::string& uri) {
-  const int buffer = out.external_buffer(uri, other.model.buffers[0].data.size());
+tinygltf::Primitive take_over(GltfWriter& out, const SharedModel& other, const std::string& uri, std::size_t bytes) {
+  tinygltf::Primitive primitive = other.primitive;
+  const int buffer = out.external_buffer(uri, bytes);
   const int views = static_cast<int>(out.model.bufferViews.size()),
             accessors = static_cast<int>(out.model.accessors.size());
-  for (tinygltf::BufferView view : other.model.bufferViews) {
+  for (tinygltf::BufferView view : other.views) {
     view.buffer = buffer;
     out.model.bufferViews.push_back(std::move(view));
   }
-  for (tinygltf::Accessor accessor : other.model.accessors) {
+  for (tinygltf::Accessor accessor : other.accessors) {
     accessor.bufferView += views;
     out.model.accessors.push_back(std::move(accessor));
   }
@@ -117,9 +124,7 @@ class Encoder {
   tinygltf::Primitive primitive_of(const TreeModel& model) {
     if (model.uri.empty()) return primitive_of(model.mesh, true);
     if (out_.model.materials.empty()) add_material("plant", true);
-    GltfWriter shared;
-    tinygltf::Primitive primitive = encode(shared, model.mesh);
-    return take_over(out_, shared, std::move(primitive), model.uri);
+    return take_over(out_, *model.parts, model.uri, model.bytes.size());
   }
 
   void add_node(const std::string& name, tinygltf::Primitive primitive, tinygltf::ExtensionMap extensions = {}) {
@@ -238,7 +243,8 @@ class Encoder {
 
 TreeModel share(TreeModel model, const std::string& uri) {
   GltfWriter shared;
-  encode(shared, model.mesh);
+  const tinygltf::Primitive primitive = encode(shared, model.mesh);
+  model.parts = std::make_shared<SharedModel>(SharedModel{shared.model.bufferViews, shared.model.accessors, primitive});
   const std::vector<unsigned char>& bytes = shared.model.buffers[0].data;
   model.bytes.assign(bytes.begin(), bytes.end());
   model.uri = uri;

@@ -3,6 +3,7 @@
 /// EXT_mesh_gpu_instancing and EXT_instance_features for trees, EXT_structural_metadata for both. Two files, since
 /// CesiumJS picks from one table of a file only.
 ///   const EncodedTile city = encode_city(content, "(c) OpenStreetMap contributors");
+#include <memory>
 #include <string>
 
 #include "culling/volumes.h"
@@ -15,12 +16,15 @@ struct EncodedTile {
   culling::BoxD box;  ///< in the tile's frame: of every vertex of every instance, with room for what floats round
 };
 
+struct SharedModel;
+
 /// A model in a file of its own, for all tiles that show it; or, without one, in each tile.
 struct TreeModel {
   TileMesh mesh;
   std::string species;
-  std::string uri = {};    ///< of `bytes`, as seen from a tile; empty: there is no such file
-  std::string bytes = {};  ///< its file
+  std::string uri = {};                           ///< of `bytes`, as seen from a tile; empty: there is no such file
+  std::string bytes = {};                         ///< its file
+  std::shared_ptr<const SharedModel> parts = {};  ///< what lies where in it
 };
 using TreeModels = std::map<std::uint16_t, TreeModel>;  ///< by TreeInstance::plant
 
