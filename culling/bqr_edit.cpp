@@ -298,6 +298,16 @@ void put(BqrTree& tree, std::uint32_t block, const BlockVolume& volume, const Ne
   insertion.widen(block, block_classes(tree, block, volume.classes));
 }
 
+/// United anew over all below.
+ClassMask unite(BqrTree& tree, std::uint32_t at, const std::vector<ClassMask>& of_block) {
+  BqrNode& node = tree.nodes[at];
+  each_lane(node.lanes, [&](std::uint32_t i) {
+    const bool block = (node.blocks >> i & 1) != 0;
+    node.classes[i] = block ? of_block[node.first_block[i]] : unite(tree, node.child[i], of_block);
+  });
+  return all_classes(node);
+}
+
 void refuse_bad(const BqrTree& tree, std::uint32_t block, const BlockVolume& volume, const NewObjects& objects) {
   assert(objects.classes.empty() || objects.classes.size() == objects.boxes.size());
   refuse_bad_block(volume, block);
@@ -343,6 +353,15 @@ void change_block(BqrTree& tree, std::uint32_t block, const BlockVolume& volume,
   if (!objects.classes.empty()) need_classes(tree);
   clear_rows(tree, room);
   put(tree, block, volume, objects, room);
+}
+
+void set_classes(BqrTree& tree, std::span<const ClassMask> classes, std::span<const ClassMask> besides) {
+  assert(classes.size() == tree.objects() && besides.size() == tree.blocks());
+  tree.classes.assign(classes.begin(), classes.end());
+  tree.classes.resize(classes.size() + kPacket);
+  std::vector<ClassMask> of_block(tree.blocks());
+  for (std::uint32_t b = 0; b < tree.blocks(); ++b) of_block[b] = block_classes(tree, b, besides[b]);
+  if (!tree.nodes.empty()) unite(tree, tree.root, of_block);
 }
 
 }  // namespace manzana::culling

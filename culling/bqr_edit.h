@@ -40,4 +40,8 @@ void change_block(BqrTree& tree, std::uint32_t block, const BlockVolume& volume,
 void change_block(BqrTree& tree, std::uint32_t block, const BlockVolume& volume, const NewObjects& objects,
                   const Room& room);
 
+/// Other classes for all objects, a row each by their numbers; `besides`: a row a block, of what it holds besides its
+/// objects. O(n).
+void set_classes(BqrTree& tree, std::span<const ClassMask> classes, std::span<const ClassMask> besides);
+
 }  // namespace manzana::culling

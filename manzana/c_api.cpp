@@ -42,7 +42,8 @@ T guarded(manzana_error* error, T failed, F&& f) noexcept {
 
 LoadOptions options_of(const manzana_load_options* given) {
   const manzana_load_options o = given != nullptr ? *given : manzana_load_defaults();
-  LoadOptions options{.seed = o.seed, .cars = o.cars, .threads = o.threads, .trees = o.trees != 0};
+  LoadOptions options{
+      .seed = o.seed, .cars = o.cars, .threads = o.threads, .trees = o.trees != 0, .attributes = o.attributes != 0};
   if (o.plant_cache != nullptr) options.plant_cache = o.plant_cache;
   return options;
 }
@@ -102,7 +103,7 @@ Host host_of(const manzana_host* given) {
 
 const char* manzana_version(void) { return MANZANA_VERSION; }
 
-manzana_load_options manzana_load_defaults(void) { return {1, -1, 1, 1, nullptr}; }
+manzana_load_options manzana_load_defaults(void) { return {1, -1, 1, 1, 1, nullptr}; }
 
 manzana_model* manzana_model_load(const char* city, const manzana_load_options* options, manzana_progress progress,
                                   void* user, manzana_error* error) {
@@ -152,6 +153,19 @@ int manzana_model_feature(const manzana_model* model, uint32_t id, manzana_featu
   put(f.box.min, feature->low);
   put(f.box.max, feature->high);
   put(f.place, feature->geo);
+  return 1;
+}
+
+uint32_t manzana_model_attributes(const manzana_model* model, uint32_t id) {
+  return id == 0 ? 0 : static_cast<uint32_t>(model->model->scene().attributes.of(id - 1).size());
+}
+
+int manzana_model_attribute(const manzana_model* model, uint32_t id, uint32_t i, const char** name,
+                            const char** value) {
+  if (i >= manzana_model_attributes(model, id)) return 0;
+  const auto pair = model->model->scene().attributes.of(id - 1)[i];
+  *name = pair.first.data();
+  *value = pair.second.data();
   return 1;
 }
 
@@ -292,6 +306,18 @@ void manzana_view_set_drawing(manzana_view* view, const manzana_drawing* drawing
   d.sun = vector_of(drawing->sun);
   d.tree_error_px = drawing->tree_error_px;
   d.wind = drawing->wind;
+}
+
+int manzana_view_show_only(manzana_view* view, const char* classes, manzana_error* error) {
+  return done(error, [&] { view->view.show_only(classes != nullptr ? classes_named(classes) : culling::kAllClasses); });
+}
+
+void manzana_view_colour_by(manzana_view* view, manzana_colour colour, void* user) {
+  if (colour == nullptr) return view->view.colour_by({});
+  view->view.colour_by([=](const Feature& feature) {
+    const int32_t rgb = colour(user, feature.id);
+    return rgb < 0 ? View::Colour() : View::Colour(static_cast<std::uint32_t>(rgb));
+  });
 }
 
 void manzana_view_release(manzana_view* view) { view->view.release(); }

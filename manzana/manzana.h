@@ -42,6 +42,7 @@ typedef struct manzana_load_options {
   int32_t cars;            /* how many; -1: by the length of the streets */
   int32_t threads;         /* the calling one included */
   int32_t trees;           /* 0: none */
+  int32_t attributes;      /* 0: what files say of things is not kept */
   const char* plant_cache; /* a folder where prepared plants are kept; NULL: they are not */
 } manzana_load_options;
 MANZANA_API manzana_load_options manzana_load_defaults(void);
@@ -74,6 +75,11 @@ typedef struct manzana_feature {
 } manzana_feature;
 MANZANA_API uint32_t manzana_model_features(const manzana_model* model); /* numbered from 1 */
 MANZANA_API int manzana_model_feature(const manzana_model* model, uint32_t id, manzana_feature* feature);
+
+/* What its file says of a feature: how many names with values; and the i-th, which live as long as the model. */
+MANZANA_API uint32_t manzana_model_attributes(const manzana_model* model, uint32_t id);
+MANZANA_API int manzana_model_attribute(const manzana_model* model, uint32_t id, uint32_t i, const char** name,
+                                        const char** value);
 
 /* ---- nodes: what a host puts into a city ------------------------------------------------------------------------- */
 
@@ -175,6 +181,14 @@ typedef struct manzana_drawing {
 } manzana_drawing;
 MANZANA_API manzana_drawing manzana_view_drawing(const manzana_view* view);
 MANZANA_API void manzana_view_set_drawing(manzana_view* view, const manzana_drawing* drawing);
+
+/* Only these are found, counted, drawn and picked from now on: names as "building20 conifer", separated by spaces, of
+ * building, building10, building20, building40 (at least so many metres), street, tree, tree15, broadleaf, conifer,
+ * shrub, car, node. NULL: all. 0: a name that is none. */
+MANZANA_API int manzana_view_show_only(manzana_view* view, const char* classes, manzana_error* error);
+/* A building's colour, 0xRRGGBB; -1: its own. Asked for each, in render. NULL: all in their own again. */
+typedef int32_t (*manzana_colour)(void* user, uint32_t feature);
+MANZANA_API void manzana_view_colour_by(manzana_view* view, manzana_colour colour, void* user);
 
 MANZANA_API void manzana_view_release(manzana_view* view);      /* with the context current */
 MANZANA_API void manzana_view_context_lost(manzana_view* view); /* without */

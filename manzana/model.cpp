@@ -29,7 +29,9 @@ std::shared_ptr<const Model> within(int threads, const std::function<std::shared
   return arena.execute(load);
 }
 
-ImportOptions import_options(const LoadOptions& options) { return {.seed = options.seed, .cars = options.cars}; }
+ImportOptions import_options(const LoadOptions& options) {
+  return {.seed = options.seed, .cars = options.cars, .attributes = options.attributes};
+}
 
 }  // namespace
 
@@ -46,7 +48,7 @@ std::shared_ptr<const Model> Model::load(std::span<const char> bytes, const std:
                                          const std::string& name, const LoadOptions& options,
                                          const Progress& progress) {
   return within(options.threads, [&] {
-    CityFeatures features = read_osm_bytes({bytes.data(), bytes.size()}, format, name);
+    CityFeatures features = read_osm_bytes({bytes.data(), bytes.size()}, format, name, options.attributes);
     return make_model(build_scene(std::move(features), import_options(options), progress), options, progress);
   });
 }
@@ -64,7 +66,7 @@ Feature Model::feature(FeatureId id) const {
     const culling::BoxD box{Vec3d(table.boxes[row].min) + scene.tree.origin,
                             Vec3d(table.boxes[row].max) + scene.tree.origin};
     const Vec3d middle = (box.min + box.max) / 2.0;
-    return Feature{id, kind, box, frame().to_geo({middle.x, middle.y, box.min.z})};
+    return Feature{id, kind, box, frame().to_geo({middle.x, middle.y, box.min.z}), scene.attributes.of(id - 1)};
   };
   if (const auto building = in(scene.buildings.table, kBuilding)) return *building;
   if (const auto surface = in(scene.surfaces.table, kSurface)) return *surface;

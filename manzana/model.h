@@ -26,8 +26,9 @@ using FeatureId = std::uint32_t;
 struct Feature {
   FeatureId id = 0;
   ObjectClass kind = kBuilding;
-  culling::BoxD box;  ///< in L
-  GeoPoint place;     ///< under the middle of the box
+  culling::BoxD box;        ///< in L
+  GeoPoint place;           ///< under the middle of the box
+  AttributeRow attributes;  ///< what its file says of it; as long as the model
 };
 
 struct LoadOptions {
@@ -35,6 +36,7 @@ struct LoadOptions {
   int cars = -1;           ///< how many; -1: by the length of the streets
   int threads = 1;         ///< the calling one included; no others are started, or used, for 1
   bool trees = true;       ///< else none are prepared, and none are drawn
+  bool attributes = true;  ///< else what files say of things is not kept
   std::optional<std::filesystem::path> plant_cache = {};  ///< where prepared plants are kept; none: they are not
 };
 

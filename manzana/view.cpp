@@ -92,6 +92,9 @@ struct View::State {
   Shown wanted;
 
   Resident shown, coming;
+  std::function<View::Colour(const Feature&)> colour;
+  culling::ClassMask classes = culling::kAllClasses;
+  bool recolour = false;          ///< `colour` is not yet that of what is shown
   std::vector<RendererPtr> gone;  ///< to be freed with the context current
   std::vector<Eye> eyes;
   Update update;
@@ -109,6 +112,7 @@ struct View::State {
   void take_wanted();
   RendererPtr make_renderer(const Model& model) const;
   void bring();
+  void paint();
   void swap_in();
   void see(Eye& eye, const HostCamera& camera, double seconds);
   void account();
@@ -161,6 +165,19 @@ void View::State::swap_in() {
   shown = std::move(coming);
   coming = {};
   eyes.clear();
+  recolour = colour != nullptr;
+}
+
+void View::State::paint() {
+  if (!recolour) return;
+  recolour = false;
+  const LayerTable& table = shown.model->scene().buildings.table;
+  std::vector<std::uint32_t> colours(table.size(), draw::kOwnColour);
+  for (FeatureId id = 1; colour && id <= shown.model->features(); ++id) {
+    const std::uint32_t row = table.row_first[id - 1];
+    if (row < table.row_first[id]) colours[row] = colour(shown.model->feature(id)).value_or(draw::kOwnColour);
+  }
+  shown.renderer->paint_buildings(shown.model->scene(), colours);
 }
 
 void View::State::see(Eye& eye, const HostCamera& camera, double seconds) {
@@ -168,6 +185,7 @@ void View::State::see(Eye& eye, const HostCamera& camera, double seconds) {
   eye.host = camera;
   eye.camera = draw::camera_of(camera.projection, camera.view, camera.depth, camera.viewport.height);
   if (!eye.sets) eye.sets = std::make_unique<VisibleSets>(scene);
+  eye.sets->classes = classes;
   eye.nodes.clear();
   if (shown.nodes) {
     find_visible(*shown.nodes, eye.camera.frustum, *eye.sets);
@@ -246,6 +264,7 @@ void View::render(std::size_t i) {
   s.gone.clear();
   s.bring();
   if (!s.shown.renderer || i >= s.eyes.size()) return;
+  s.paint();
   const Eye& eye = s.eyes[i];
   draw::Renderer& renderer = *s.shown.renderer;
   const draw::PixelRect& viewport = eye.host.viewport;
@@ -281,6 +300,13 @@ std::optional<Vec3d> View::place(std::size_t i, int x, int y) {
   const Vec2d at = 2.0 * Vec2d((x + 0.5) / v.width, (y + 0.5) / v.height) - 1.0;
   const glm::dvec4 rel = glm::inverse(eye.camera.view_projection) * glm::dvec4(at, depth, 1);
   return eye.camera.eye + Vec3d(rel) / rel.w;
+}
+
+void View::show_only(culling::ClassMask classes) { state_->classes = classes; }
+
+void View::colour_by(std::function<Colour(const Feature&)> colour) {
+  state_->colour = std::move(colour);
+  state_->recolour = true;
 }
 
 draw::DrawOptions& View::drawing() { return state_->drawing; }

@@ -82,6 +82,15 @@ class View {
   /// Where that is which stands in a pixel of camera i's viewport, in L, by the depth that was last rendered there.
   std::optional<Vec3d> place(std::size_t i, int x, int y);
 
+  /// Only what is of one of these classes (scenegraph/classes.h) is found, counted, drawn and picked from now on.
+  void show_only(culling::ClassMask classes);
+
+  /// Buildings of the city in other colours, 0xRRGGBB, by whatever the host makes of them; none: their own. Asked for
+  /// each building of what is shown, and of each city that comes after, in render(). Empty: all in their own again.
+  ///   view.colour_by([](const Feature& f) { return f.attributes.find("heritage") ? Colour(0xd03020) : Colour(); });
+  using Colour = std::optional<std::uint32_t>;
+  void colour_by(std::function<Colour(const Feature&)> colour);
+
   /// How it is drawn from now on: layers, sun, error of trees, wind. Without sky unless asked.
   draw::DrawOptions& drawing();
   const draw::DrawOptions& drawing() const;

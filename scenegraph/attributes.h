@@ -41,7 +41,7 @@ struct Attributes {
     std::uint32_t name = 0, value = 0;  ///< where their texts begin
     bool operator==(const Pair&) const = default;
   };
-  std::string text;                          ///< each ends with a zero byte
+  std::string text;  ///< each ends with a zero byte
   std::vector<Pair> pairs;
   std::vector<std::uint32_t> row_last;       ///< of pairs; a row begins where the one before it ends; row 0 has none
   std::vector<std::uint32_t> row_of_object;  ///< of the scene's tree; empty: none has any

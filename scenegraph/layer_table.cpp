@@ -35,7 +35,7 @@ std::uint64_t count(const LayerTable& table, std::span<const culling::ObjectRun>
   return sum;
 }
 
-void SceneObjects::add(std::uint32_t block, const culling::BoxD& box, ObjectClass kind) {
+void SceneObjects::add(std::uint32_t block, const culling::BoxD& box, culling::ClassMask kind) {
   blocks.push_back(block);
   boxes.push_back(box);
   classes.push_back(kind);
@@ -51,19 +51,19 @@ OrderedTree build_tree(std::span<const culling::BlockVolume> blocks, const Scene
   return built;
 }
 
-std::vector<std::uint32_t> numbers_of(const OrderedTree& built, ObjectClass kind) {
+std::vector<std::uint32_t> numbers_of(const OrderedTree& built, culling::ClassMask kinds) {
   std::vector<std::uint32_t> numbers;
   for (std::size_t i = 0; i < built.numbers.size(); ++i)
-    if (built.tree.classes[i] == kind) numbers.push_back(built.numbers[i]);
+    if ((built.tree.classes[i] & kinds) != 0) numbers.push_back(built.numbers[i]);
   return numbers;
 }
 
-LayerTable make_table(const OrderedTree& built, const SceneObjects& objects, ObjectClass kind) {
+LayerTable make_table(const OrderedTree& built, const SceneObjects& objects, culling::ClassMask kinds) {
   LayerTable table;
   table.row_first.reserve(built.numbers.size() + 1);
   for (std::size_t i = 0; i < built.numbers.size(); ++i) {
     table.row_first.push_back(table.size());
-    if (built.tree.classes[i] == kind)
+    if ((built.tree.classes[i] & kinds) != 0)
       table.boxes.push_back(narrow(objects.boxes[built.numbers[i]], built.tree.origin));
   }
   table.row_first.push_back(table.size());

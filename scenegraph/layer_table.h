@@ -5,19 +5,16 @@
 /// shadows overlap, what a picture shows is decided by what the scene was made from, not by how the tree sorts it.
 ///   SceneObjects objects;                                     // add() all of them, layer after layer
 ///   OrderedTree built = build_tree(volumes, objects);
-///   for (std::uint32_t number : numbers_of(built, kTree)) ... // a tree's rows are stored in this order
-///   LayerTable trees = make_table(built, objects, kTree);
+///   for (std::uint32_t number : numbers_of(built, kTrees)) ... // a tree's rows are stored in this order
+///   LayerTable trees = make_table(built, objects, kTrees);
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "culling/bqr_tree.h"
+#include "scenegraph/classes.h"
 
 namespace manzana {
-
-/// Classes in the tree: a query can ask for some of them only. An object is of one; a block with half-streets has kCar
-/// among its own; a host's node is a kNode (scenegraph/nodes.h).
-enum ObjectClass : culling::ClassMask { kBuilding = 1, kSurface = 2, kTree = 4, kCar = 8, kNode = 16 };
 
 /// Which of the tree's objects are a layer's.
 struct LayerTable {
@@ -37,7 +34,7 @@ struct SceneObjects {
   std::vector<std::uint32_t> blocks;  ///< of the builder's input
   std::vector<culling::BoxD> boxes;   ///< in L, within the block's
   std::vector<culling::ClassMask> classes;
-  void add(std::uint32_t block, const culling::BoxD& box, ObjectClass kind);
+  void add(std::uint32_t block, const culling::BoxD& box, culling::ClassMask kind);
 };
 
 /// numbers[object of the tree] = the object's number.
@@ -49,8 +46,8 @@ struct OrderedTree {
 /// Throws as culling::build_bqr_tree does.
 OrderedTree build_tree(std::span<const culling::BlockVolume> blocks, const SceneObjects& objects);
 
-/// Of one class, in the order of the tree.
-std::vector<std::uint32_t> numbers_of(const OrderedTree& built, ObjectClass kind);
-LayerTable make_table(const OrderedTree& built, const SceneObjects& objects, ObjectClass kind);
+/// Of one of these classes, in the order of the tree.
+std::vector<std::uint32_t> numbers_of(const OrderedTree& built, culling::ClassMask kinds);
+LayerTable make_table(const OrderedTree& built, const SceneObjects& objects, culling::ClassMask kinds);
 
 }  // namespace manzana

@@ -119,6 +119,17 @@ void Nodes::paint(NodeId id, std::optional<std::uint32_t> colour) {
   refresh(id);
 }
 
+void Nodes::classify(const std::function<culling::ClassMask(std::uint32_t)>& class_of) {
+  std::vector<culling::ClassMask> classes(tree_.objects(), kNode);
+  for (std::uint32_t object = 0; object + 1 < first_object_; ++object)
+    classes[object] = class_of(object) & static_cast<culling::ClassMask>(~(kNode | kCar));
+  std::vector<culling::ClassMask> besides(tree_.blocks(), 0);
+  for (std::uint32_t block = 0; block < blocks_; ++block)
+    besides[block] =
+        tree_.nodes[tree_.place[block] / culling::kLanes].classes[tree_.place[block] % culling::kLanes] & kCar;
+  set_classes(tree_, classes, besides);
+}
+
 void Nodes::unhang(NodeId id) {
   if (at(id).own.parent != 0) std::erase(at(at(id).own.parent).children, id);
 }
@@ -164,7 +175,7 @@ void Nodes::put_into_tree(Slot& slot) {
   box = {box.min - kSlack * (box.max - box.min), box.max + kSlack * (box.max - box.min)};
   const culling::BlockVolume volume{Vec2d(center(box)), box, enclosing_sphere(box)};
   const culling::ClassMask kind = kNode;
-  const culling::NewObjects object{{&box, 1}, {&kind, tree_.classes.empty() ? std::size_t{0} : 1}};
+  const culling::NewObjects object{{&box, 1}, {&kind, 1}};
   if (slot.block == kNone && !free_places_.empty()) {
     slot.block = free_places_.back().block;
     slot.room = free_places_.back().room;

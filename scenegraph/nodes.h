@@ -12,6 +12,7 @@
 /// O(depth) for each node below. Frame: L, metres.
 /// Threads: changes from one at a time, while no view that shows it is updated. Errors: std::invalid_argument for a
 /// number that no node has, a cycle, or a place that is not finite; nothing has changed then.
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -67,6 +68,10 @@ class Nodes {
   void show(NodeId id, bool shown);
   void paint(NodeId id, std::optional<std::uint32_t> colour);
   void remove(NodeId id);  ///< and all below
+
+  /// Other classes for the city's objects, by number: any bits but kNode and kCar, which stay what they are. For
+  /// View::show_only.
+  void classify(const std::function<culling::ClassMask(std::uint32_t object)>& class_of);
 
   bool contains(NodeId id) const { return slot_of(id) != kNone; }
   std::size_t size() const { return size_; }

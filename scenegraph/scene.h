@@ -5,11 +5,13 @@
 ///   Imported city = import_city("helsinki.osm.pbf");          // scenegraph/import/import.h
 ///   VisibleSets sets(city.scene);                             // scenegraph/visible.h, reserves once
 ///   find_visible(city.scene, view, Structure::bqr, sets);     // each frame
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "culling/bqr_tree.h"
+#include "scenegraph/attributes.h"
 #include "scenegraph/layer_table.h"
 #include "scenegraph/local_frame.h"
 #include "scenegraph/mesh.h"
@@ -66,9 +68,14 @@ struct TreeInstance {
   std::uint8_t tint = 0;    ///< 0..255, a variation of colour
 };
 
+/// What neighbours hide of a tree, from eight sides: foliage/neighbours.h.
+using TreeLeeway = std::array<std::uint32_t, 8>;
+
 struct TreeLayer {
   LayerTable table;
   std::vector<TreeInstance> instances;  ///< a row a tree
+  std::vector<TreeLeeway> leeway;       ///< a row a tree, or none: not known yet (scenegraph/tree_sites.h)
+  std::uint64_t leeway_of = 0;          ///< which plants it is of
 };
 
 struct Scene {
@@ -79,6 +86,7 @@ struct Scene {
   MeshLayer surfaces;  ///< streets, greens, water, bridges
   TreeLayer trees;
   Traffic traffic;
+  Attributes attributes;    ///< of objects of the tree; only if they were asked for
   culling::BoxD bounds;     ///< of all objects, in L
   std::string attribution;  ///< must be shown with every picture; empty for made-up data
 };

@@ -11,7 +11,7 @@ using culling::LeafRun;
 namespace {
 
 void find_in(const culling::BqrTree& tree, const culling::Planes& planes, VisibleSets& sets) {
-  cull(tree, planes, sets.answer, {.blocks = true});
+  cull(tree, planes, sets.answer, {.classes = sets.classes, .blocks = true});
   sets.city_runs = ordered(sets.answer).size();
 }
 
@@ -47,6 +47,7 @@ void find_visible(const Scene& scene, const culling::View& view, Structure struc
 CarStats find_cars(const Scene& scene, std::uint64_t tick, VisibleSets& sets) {
   CarStats stats;
   sets.cars.clear();
+  if ((sets.classes & kCar) == 0) return stats;
   for (const LeafRun& run : sets.blocks()) {
     const auto unseen = [&](const CarState& car) {
       return outside(sets.frustum, run.planes, {car.position, kCarRadius});

@@ -29,10 +29,11 @@ struct VisibleSets {
   std::span<const culling::ObjectRun> nodes() const { return answer.objects().subspan(city_runs); }
 
   culling::Answer answer;
-  std::size_t city_runs = 0;                  ///< of the answer; what follows are nodes
-  bool with_nodes = false;                    ///< the answer is about a tree with nodes
-  std::vector<culling::LeafRun> city_blocks;  ///< of it those that are the city's
-  culling::FrustumD frustum;                  ///< of the last view
+  std::size_t city_runs = 0;                          ///< of the answer; what follows are nodes
+  bool with_nodes = false;                            ///< the answer is about a tree with nodes
+  std::vector<culling::LeafRun> city_blocks;          ///< of it those that are the city's
+  culling::FrustumD frustum;                          ///< of the last view
+  culling::ClassMask classes = culling::kAllClasses;  ///< what is looked for: scenegraph/classes.h
   std::vector<CarState> cars;
 };
 

@@ -1,6 +1,6 @@
-// manzana-bake: prepares plants ahead of time, and writes cities for other programs.
-// SHOWS: load_plant, prepare, bake_visibility, write_prepared; import_city, write_tiles. READ FIRST: foliage/prepare.h,
-// scenegraph/export/tiles.h.
+// manzana-bake: prepares plants and cities ahead of time, and writes cities for other programs.
+// SHOWS: load_plant, prepare, bake_visibility, write_prepared; import_city, write_baked, write_tiles. READ FIRST:
+// foliage/prepare.h, scenegraph/import/baked_city.h, scenegraph/export/tiles.h.
 #include <chrono>
 #include <cstdio>
 #include <stdexcept>
@@ -11,8 +11,10 @@
 #include "foliage/import/plant_cache.h"
 #include "scenegraph/export/geopackage.h"
 #include "scenegraph/export/tiles.h"
+#include "scenegraph/import/baked_city.h"
 #include "scenegraph/import/scene_plants.h"
 #include "scenegraph/import/terrain.h"
+#include "scenegraph/tree_sites.h"
 
 namespace {
 
@@ -69,6 +71,27 @@ Imported read(const bake::Options& options, const Progress& show) {
   return city;
 }
 
+int bake_city(const bake::Options& options) {
+  if (!is_baked(options.out)) throw std::runtime_error(options.out.string() + ": is no name of a baked city, .manzana");
+  const double start = seconds_now();
+  apps::ProgressBar bar(stderr);
+  const Progress show = [&](std::string_view stage, double done) { bar.show(stage, done); };
+  Imported city = read(options, show);
+  const auto tell = [](const std::string& line) { print(line + "\n"); };
+  const double imported = seconds_now();
+  keep_leeway(city.scene, scene_plants(city.scene, {options.import.seed, foliage::default_cache_folder()}, show, tell));
+  const double prepared = seconds_now();
+  write_baked(options.out, city);
+  const Scene& scene = city.scene;
+  std::printf("city       %zu blocks, %u buildings, %u trees, %u cars; %.1f MB of attributes\n", city.report.blocks,
+              scene.buildings.table.size(), scene.trees.table.size(), scene.traffic.cars(),
+              static_cast<double>(bytes_of(scene.attributes)) / 1e6);
+  std::printf("seconds    %.2f to import, %.2f to prepare trees, %.2f to write %s, %.1f MB\n", imported - start,
+              prepared - imported, seconds_now() - prepared, options.out.c_str(),
+              static_cast<double>(std::filesystem::file_size(options.out)) / 1e6);
+  return 0;
+}
+
 int bake_tiles(const bake::Options& options) {
   const double start = seconds_now();
   apps::ProgressBar bar(stderr);
@@ -97,6 +120,8 @@ int bake_geopackage(const bake::Options& options) {
 
 int run(const bake::Options& options) {
   switch (options.command) {
+    case bake::Command::city:
+      return bake_city(options);
     case bake::Command::tiles:
       return bake_tiles(options);
     case bake::Command::geopackage:

@@ -14,6 +14,9 @@ constexpr const char* kPlant =
     "OBJ (.obj), L-systems or the parameters of a species (.json); FILE#NAME chooses one of several\n"
     "L-systems.";
 
+constexpr const char* kImport =
+    "Import a city once, so that programs open it at once: FILE.manzana, written whole or not at all.";
+
 constexpr const char* kTiles =
     "Write a city as a 3D Tiles 1.1 tileset, for CesiumJS and others: DIR/tileset.json, DIR/tiles, DIR/plants. Tiles "
     "are\n"
@@ -62,6 +65,15 @@ CLI::App* add_city_command(CLI::App& app, const char* name, const char* about, c
   return command;
 }
 
+CLI::App* add_import(CLI::App& app, Options& options) {
+  CLI::App* city = add_city_command(app, "import", kImport, "the baked city to write, FILE.manzana", options);
+  city->add_option("--cars", options.import.cars, "how many; without it the length of the streets decides")
+      ->check(CLI::Range(0, 1000000));
+  city->add_option("--lod", options.import.lod, "of CityJSON: the finest level of detail to take");
+  city->add_flag("!--no-attributes", options.import.attributes, "leave out what the file says of things");
+  return city;
+}
+
 }  // namespace
 
 Parsed parse_options(int argc, const char* const* argv) {
@@ -71,10 +83,13 @@ Parsed parse_options(int argc, const char* const* argv) {
   Options options;
   Texts texts;
   add_plant(app, options, texts);
+  const CLI::App* city = add_import(app, options);
   const CLI::App* tiles = add_city_command(app, "tiles", kTiles, "the folder to write", options);
   const CLI::App* geopackage =
       add_city_command(app, "geopackage", kGeopackage, "the file to write, FILE.gpkg", options);
   if (auto reply = apps::parse(app, argc, argv)) return {std::nullopt, std::move(reply->text), reply->exit_code};
+  if (city->parsed()) options.command = Command::city;
+  if (city->parsed() && city->count("--cars") == 0) options.import.cars = -1;
   if (tiles->parsed()) options.command = Command::tiles;
   if (geopackage->parsed()) options.command = Command::geopackage;
   options.visibility = visibility_named(texts.visibility);

@@ -11,7 +11,7 @@
 
 namespace manzana::bake {
 
-enum class Command : std::uint8_t { plant, tiles, geopackage };
+enum class Command : std::uint8_t { plant, city, tiles, geopackage };
 
 struct Options {
   Command command = Command::plant;
@@ -20,7 +20,7 @@ struct Options {
   VisibilityBy visibility = VisibilityBy::best;
   std::string city;               ///< of all other commands
   std::filesystem::path terrain;  ///< empty: level
-  ImportOptions import{.cars = 0};
+  ImportOptions import{.cars = 0, .attributes = true};
 };
 
 using Parsed = apps::Parsed<Options>;

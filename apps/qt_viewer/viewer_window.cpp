@@ -43,9 +43,13 @@ Rows rows_of(const Nodes& nodes, NodeId id) {
 Rows rows_of(const Feature& f) {
   const Vec3d size = f.box.max - f.box.min;
   const auto metres = [](double m) { return QString("%1 m").arg(m, 0, 'f', 1); };
-  return {{"kind", name_of(f.kind)},      {"number", QString::number(f.id)},
-          {"height", metres(size.z)},     {"extent", metres(size.x) + " x " + metres(size.y)},
-          {"place", geographic(f.place)}, {"projected", projected(f.place)}};
+  Rows rows{{"kind", name_of(f.kind)},      {"number", QString::number(f.id)},
+            {"height", metres(size.z)},     {"extent", metres(size.x) + " x " + metres(size.y)},
+            {"place", geographic(f.place)}, {"projected", projected(f.place)}};
+  const auto text = [](std::string_view s) { return QString::fromUtf8(s.data(), static_cast<int>(s.size())); };
+  for (std::size_t i = 0; i < f.attributes.size(); ++i)
+    rows.emplace_back(text(f.attributes[i].first), text(f.attributes[i].second));
+  return rows;
 }
 
 }  // namespace
@@ -117,8 +121,8 @@ void ViewerWindow::make_attributes() {
 void ViewerWindow::make_menu() {
   QMenu* file = menuBar()->addMenu("&File");
   file->addAction("&Open...", QKeySequence::Open, this, [this] {
-    const QString name =
-        QFileDialog::getOpenFileName(this, "A city", {}, "OpenStreetMap (*.osm *.pbf *.gz *.bz2);;All (*)");
+    const QString name = QFileDialog::getOpenFileName(
+        this, "A city", {}, "Cities (*.osm *.pbf *.gz *.bz2 *.json *.jsonl *.manzana);;All (*)");
     if (!name.isEmpty()) open(name);
   });
   file->addAction("Built-in &town", this, [this] { open("builtin:town"); });

@@ -62,6 +62,7 @@ void Stage::resize(draw::Size new_size) {
 
 void apply(const Options& options, Stage& stage) {
   stage.structure = options.structure;
+  stage.sets.classes = options.only;
   if (options.tree_error_px) stage.options.tree_error_px = *options.tree_error_px;
   stage.options.tree_vertices = options.tree_vertices;
   stage.tree_ms = options.tree_ms;

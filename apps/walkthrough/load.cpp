@@ -10,6 +10,7 @@
 
 #include "apps/common/progress_bar.h"
 #include "foliage/import/species.h"
+#include "scenegraph/import/baked_city.h"
 #include "scenegraph/import/cityjson.h"
 #include "scenegraph/import/ecosystem_features.h"
 #include "scenegraph/import/terrain.h"
@@ -111,6 +112,7 @@ Plants load_named_plants(const Options& options) {
 Imported load_city(const Options& options, Plants& plants) {
   const ImportOptions how{
       .seed = options.seed, .cars = options.cars, .lod = options.lod, .reference_system = options.reference_system};
+  if (is_baked(options.city) && options.more.empty() && options.tree_lists.empty()) return read_baked(options.city);
   std::optional<CityFeatures> all;
   if (is_ecosystem(options.city)) all = load_ecosystem(options, plants);
   apps::ProgressBar bar(stderr);

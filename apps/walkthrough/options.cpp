@@ -20,7 +20,8 @@ constexpr int kLargestSide = 16384;  // of a framebuffer, on every device that h
 
 constexpr const char* kAbout =
     "Walk, fly and drive through a city. CITY is builtin:town, an OpenStreetMap file (.osm, .osm.gz,\n"
-    ".osm.bz2, .osm.pbf) or CityJSON (.city.json, .city.jsonl). F1 in the window shows the keys. Without a\n"
+    ".osm.bz2, .osm.pbf), CityJSON (.city.json, .city.jsonl) or baked (.manzana). F1 in the window shows the keys. "
+    "Without a\n"
     "display, or with --headless, a camera path is drawn to pictures, frames.csv and summary.json.\n"
     "Exit: 0 success, 1 bad input, 2 wrong usage.";
 
@@ -61,6 +62,7 @@ CLI::Validator within(double low, double high) {
 
 /// CLI11 sees strings; what they must look like is checked here, so that its messages name the option.
 struct Texts {
+  std::string only;
   std::string size = "1280x720", structure, tree_law, dispatch = "batched";
   std::vector<std::string> plants, tree_columns;
 };
@@ -122,6 +124,19 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
   app.add_option("--structure", texts.structure,
                  "bqr: cull by the BqR-Tree; none: draw everything. Without it bqr, at quality exact none")
       ->check(CLI::IsMember({"bqr", "none"}));
+  app.add_option("--only", texts.only,
+                 "what is looked for, as building20,conifer: of building, building10, building20, building40 (metres), "
+                 "street, tree, tree15, broadleaf, conifer, shrub, car")
+      ->check(
+          [](const std::string& text) {
+            try {
+              (void)classes_named(text);
+              return std::string();
+            } catch (const std::invalid_argument& error) {
+              return std::string(error.what());
+            }
+          },
+          "");
   app.add_option("--out", options.out, "folder for pictures, frames.csv, summary.json, recorded paths")
       ->capture_default_str();
   app.add_option("--quality", options.quality,
@@ -167,6 +182,7 @@ Options finish(Options options, const Texts& texts) {
   options.structure =
       (texts.structure.empty() ? by_quality : texts.structure) == "none" ? Structure::none : Structure::bqr;
   if (!texts.tree_law.empty()) options.tree_law = foliage::law_named(texts.tree_law);
+  if (!texts.only.empty()) options.only = classes_named(texts.only);
   options.trees_by_node = texts.dispatch == "node";
   for (const std::string& column : texts.tree_columns) set_column(options.tree_columns, column);
   for (const std::string& plant : texts.plants) options.plants.push_back(*parse_plant(plant));

@@ -31,6 +31,7 @@ struct Options {
   int frames = 300, every = 30;
   draw::Size size{1280, 720};
   Structure structure = Structure::bqr;
+  culling::ClassMask only = culling::kAllClasses;
   std::filesystem::path out = "manzana-out";
   std::string quality;  ///< fast, balanced, accurate or exact; empty: by the renderer's name
   std::uint64_t seed = 1;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "gl/vertex_array.h"
 #include "manzana_draw_shaders.h"
@@ -154,6 +155,23 @@ CityLayer::CityLayer(const PreparedLayer& prepared, gl::Uploads& uploads)
       indices(uploads.make(std::as_bytes(std::span(prepared.indices)))),
       first(prepared.first) {
   array = make_array(vertices, indices);
+}
+
+void repaint(CityLayer& layer, const MeshLayer& from, std::span<const std::uint32_t> colours) {
+  layer.painted.resize(colours.size(), kOwnColour);
+  std::vector<CityVertex> changed;
+  for (std::size_t row = 0; row < colours.size(); ++row) {
+    if (std::exchange(layer.painted[row], colours[row]) == colours[row]) continue;
+    const auto indices =
+        std::span(from.mesh.indices).subspan(from.index_first[row], from.index_first[row + 1] - from.index_first[row]);
+    if (indices.empty()) continue;
+    const auto [low, high] = std::minmax_element(indices.begin(), indices.end());
+    changed.assign(from.mesh.vertices.begin() + *low, from.mesh.vertices.begin() + *high + 1);
+    if (colours[row] != kOwnColour)
+      for (CityVertex& v : changed) v.colour = pack_colour(colours[row], material_of(v));
+    glNamedBufferSubData(layer.vertices.name(), static_cast<GLintptr>(*low * sizeof(CityVertex)),
+                         static_cast<GLsizeiptr>(changed.size() * sizeof(CityVertex)), changed.data());
+  }
 }
 
 std::size_t stream_bytes(const CityLayer& layer, std::size_t runs) {

@@ -13,6 +13,7 @@
 #include "gl/program.h"
 #include "gl/uploads.h"
 #include "scenegraph/draw/instances.h"
+#include "scenegraph/draw/renderer.h"
 #include "scenegraph/scene.h"
 
 namespace manzana::draw {
@@ -54,7 +55,11 @@ struct CityLayer {
   gl::VertexArray array;
   gl::Buffer vertices, indices;
   std::array<std::vector<std::uint32_t>, kPaints> first;
+  std::vector<std::uint32_t> painted;  ///< a row an object of the layer, once some have colours that are not their own
 };
+/// Of `from`, in which no vertex is two objects'; 0xRRGGBB a row, kOwnColour: as it was. Materials stay. Only what
+/// changes is uploaded.
+void repaint(CityLayer& layer, const MeshLayer& from, std::span<const std::uint32_t> colours);
 
 std::size_t stream_bytes(const CityLayer& layer, std::size_t runs);
 /// `objects`: runs of the tree's.

@@ -274,6 +274,10 @@ std::vector<std::uint32_t> Renderer::pick(const Scene& scene, const VisibleSets&
                       {s.target().width, s.target().height}, rect);
 }
 
+void Renderer::paint_buildings(const Scene& scene, std::span<const std::uint32_t> colours) {
+  repaint(state_->buildings, scene.buildings, colours);
+}
+
 std::size_t Renderer::bring(std::span<const SeenNode> nodes, std::size_t most_bytes) {
   return state_->nodes.bring(nodes, most_bytes);
 }

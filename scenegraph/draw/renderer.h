@@ -84,6 +84,8 @@ struct PreparedCity;
 std::shared_ptr<const PreparedCity> prepare_city(const Scene& scene);
 std::size_t device_bytes(const PreparedCity& city);
 
+inline constexpr std::uint32_t kOwnColour = ~0U;
+
 class Renderer {
  public:
   /// `plants`: by TreeInstance::plant; those that no tree is may be empty. Uploads everything. Throws
@@ -120,6 +122,8 @@ class Renderer {
   /// 0 of none. Trees are picked by their crowns. Rows from the bottom. Waits for the GPU.
   std::vector<std::uint32_t> pick(const Scene& scene, const VisibleSets& sets, const Camera& camera,
                                   const PixelRect& rect, std::span<const SeenNode> nodes = {});
+  /// Other colours, 0xRRGGBB, a row a building; kOwnColour: its own.
+  void paint_buildings(const Scene& scene, std::span<const std::uint32_t> colours);
   /// Meshes of nodes that are not there yet, at most so many bytes, but at least one; returns how many are left.
   std::size_t bring(std::span<const SeenNode> nodes, std::size_t most_bytes);
   /// The picture as RGB bytes, rows from the top. Waits for the GPU; not for use in a frame.

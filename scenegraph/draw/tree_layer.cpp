@@ -5,9 +5,9 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "foliage/neighbours.h"
 #include "manzana_draw_shaders.h"
 #include "scenegraph/draw/shadows.h"
+#include "scenegraph/tree_sites.h"
 
 namespace manzana::draw {
 namespace {
@@ -16,29 +16,6 @@ std::vector<foliage::PreparedPlant> without_pictures(std::span<const foliage::Pr
   std::vector<foliage::PreparedPlant> all(plants.begin(), plants.end());
   for (foliage::PreparedPlant& plant : all) plant.leaf_image = plant.bark_image = {};
   return all;
-}
-
-std::vector<Vec4> rows_from_origin(std::span<const BlockFrame> blocks) {
-  std::vector<Vec4> rows;
-  for (const BlockFrame& block : blocks)
-    for (const Vec4& row : relative_to(Vec3d(0), block)) rows.push_back(row);
-  return rows;
-}
-
-/// A site for each tree, in the same order.
-std::vector<foliage::TreeSite> sites_of(const Scene& scene, std::span<const foliage::PreparedPlant> plants) {
-  std::vector<foliage::TreeSite> sites;
-  sites.reserve(scene.trees.instances.size());
-  for (const TreeInstance& tree : scene.trees.instances) {
-    if (tree.plant >= plants.size()) throw std::invalid_argument("a tree's plant is missing");
-    foliage::TreeSite& site = sites.emplace_back(
-        make_site(plants[tree.plant], tree.plant, tree.height_m, tree.crown_radius_m, tree.yaw, sites.size()));
-    site.position = tree.position;
-    site.block = tree.block;
-    site.hash = (site.hash & ~255U) | tree.tint;
-  }
-  see_neighbours(sites, plants, rows_from_origin(scene.blocks));
-  return sites;
 }
 
 /// The sources' laws know no neighbours.
@@ -128,7 +105,7 @@ TreeLayerGpu::TreeLayerGpu(const Scene& scene, std::span<const foliage::Prepared
                            const foliage::ExtractLimits& limits)
     : plants(without_pictures(prepared)),
       store(prepared),
-      sites(sites_of(scene, prepared)),
+      sites(tree_sites(scene, prepared)),
       extractor(sites, limits),
       programs(plant_shaders()),
       shadows(make_shadow("shadow_tree", shaders::shadow_tree_vert)) {

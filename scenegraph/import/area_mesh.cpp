@@ -202,8 +202,11 @@ void append_area(std::vector<SurfacePiece>& pieces, const Geos& geos, const Poly
 std::vector<SurfacePiece> area_pieces(std::span<const AreaFeature> areas, std::vector<Issue>& issues) {
   const Geos geos;
   std::vector<SurfacePiece> pieces;
-  for (const AreaFeature& area : areas)
+  for (const AreaFeature& area : areas) {
+    const std::size_t first = pieces.size();
     append_area(pieces, geos, area.shape, {area.where, area.kind, area_height(area.kind)}, issues);
+    for (std::size_t i = first; i < pieces.size(); ++i) pieces[i].attributes = area.attributes;
+  }
   return pieces;
 }
 

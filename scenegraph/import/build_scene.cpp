@@ -23,6 +23,13 @@ namespace {
 
 using culling::BoxD;
 
+/// From its lowest to its highest point; 0 without any.
+double height_of(const CityMesh& mesh) {
+  const auto [low, high] =
+      std::ranges::minmax_element(mesh.vertices, {}, [](const CityVertex& v) { return v.position.z; });
+  return low == mesh.vertices.end() ? 0 : static_cast<double>(high->position.z) - static_cast<double>(low->position.z);
+}
+
 class Builder {
  public:
   Builder(CityFeatures features, const Terrain& terrain, const ImportOptions& options, const Progress& progress)
@@ -121,12 +128,15 @@ class Builder {
     tbb::parallel_for(std::size_t{0}, buildings_.size(), [&](std::size_t i) {
       MeshObject& object = buildings_[i];
       object.block = plan_.of[i];
+      object.attributes =
+          i < f_.buildings.size() ? f_.buildings[i].attributes : f_.constructions[i - f_.buildings.size()].attributes;
       const Site site{f_.frame, frames_[object.block], &terrain_};
       const std::size_t own = i - f_.buildings.size();
       if (i < f_.buildings.size())
         append_building(object.mesh, site, f_.buildings[i], issues[i]);
       else
         append_construction(object.mesh, site, f_.constructions[own], issues[i]);
+      object.kind = building_class(height_of(object.mesh));
       object.box = bounds(object.mesh, frames_[object.block]);
     });
     for (auto& list : issues) std::move(list.begin(), list.end(), std::back_inserter(f_.issues));
@@ -135,6 +145,7 @@ class Builder {
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
       MeshObject& object = surfaces_[i];
       object.block = plan_.of[first_piece() + i];
+      object.attributes = pieces_[i].attributes;
       object.mesh = lay(std::move(pieces_[i]), {f_.frame, frames_[object.block], &terrain_});
       object.box = bounds(object.mesh, frames_[object.block]);
     });
@@ -143,8 +154,8 @@ class Builder {
 
   void plant_all() {
     trees_.reserve(f_.trees.size() + f_.plants.size());
-    for (std::size_t i = 0; i < f_.trees.size(); ++i) plant(placed(f_.trees[i], i));
-    for (const PlacedPlant& placed : f_.plants) plant(placed);
+    for (std::size_t i = 0; i < f_.trees.size(); ++i) plant(placed(f_.trees[i], i), f_.trees[i].attributes);
+    for (const PlacedPlant& placed : f_.plants) plant(placed, 0);
   }
 
   PlacedPlant placed(const TreeFeature& tree, std::size_t i) const {
@@ -155,7 +166,7 @@ class Builder {
             .plant = static_cast<std::uint16_t>(tree.species.value_or(plain_species(tree.kind)))};
   }
 
-  void plant(const PlacedPlant& placed) {
+  void plant(const PlacedPlant& placed, std::uint32_t attributes) {
     const std::size_t i = trees_.size();
     const std::uint32_t block = plan_.of[first_tree() + i];
     const Vec3d foot = ground_point(f_.frame, frames_[block], Vec2d(placed.position),
@@ -169,6 +180,9 @@ class Builder {
                        .plant = placed.plant,
                        .tint = static_cast<std::uint8_t>(hash_bits(options_.seed + 22, i) & 255u)};
     object.box = bounds(object.instance, frames_[block]);
+    object.attributes = attributes;
+    if (placed.plant < kPlantSpecies)
+      object.kind = tree_class(kind_of(static_cast<PlantSpecies>(placed.plant)), placed.height);
   }
 
   void drop_empty() {
@@ -181,9 +195,9 @@ class Builder {
   // Numbered in this order: buildings, surfaces, trees.
   SceneObjects gather() const {
     SceneObjects objects;
-    for (const MeshObject& object : buildings_) objects.add(object.block, object.box, kBuilding);
-    for (const MeshObject& object : surfaces_) objects.add(object.block, object.box, kSurface);
-    for (const TreeObject& object : trees_) objects.add(object.instance.block, object.box, kTree);
+    for (const MeshObject& object : buildings_) objects.add(object.block, object.box, object.kind);
+    for (const MeshObject& object : surfaces_) objects.add(object.block, object.box, object.kind);
+    for (const TreeObject& object : trees_) objects.add(object.instance.block, object.box, object.kind);
     return objects;
   }
 
@@ -216,13 +230,25 @@ class Builder {
     for (MeshObject& object : surfaces_) object.block = new_of_old[object.block];
     for (TreeObject& object : trees_) object.instance.block = new_of_old[object.instance.block];
     reorder_blocks(scene_.traffic, new_of_old);
+    store_attributes(built);
     const auto surfaces = static_cast<std::uint32_t>(buildings_.size()),
                trees = static_cast<std::uint32_t>(surfaces + surfaces_.size());
-    const auto table = [&](ObjectClass kind) { return make_table(built, objects, kind); };
-    scene_.buildings = make_layer(table(kBuilding), numbers_of(built, kBuilding), 0, std::move(buildings_));
+    const auto table = [&](culling::ClassMask kinds) { return make_table(built, objects, kinds); };
+    scene_.buildings = make_layer(table(kBuildings), numbers_of(built, kBuildings), 0, std::move(buildings_));
     scene_.surfaces = make_layer(table(kSurface), numbers_of(built, kSurface), surfaces, std::move(surfaces_));
-    scene_.trees = make_layer(table(kTree), numbers_of(built, kTree), trees, trees_);
+    scene_.trees = make_layer(table(kTrees), numbers_of(built, kTrees), trees, trees_);
     scene_.attribution = std::move(f_.attribution);
+  }
+
+  // By the objects' numbers, as gather() gives them.
+  void store_attributes(const OrderedTree& built) {
+    if (!f_.attributes.wanted()) return;
+    std::vector<std::uint32_t> rows;
+    for (const MeshObject& object : buildings_) rows.push_back(object.attributes);
+    for (const MeshObject& object : surfaces_) rows.push_back(object.attributes);
+    for (const TreeObject& object : trees_) rows.push_back(object.attributes);
+    scene_.attributes = f_.attributes.take();
+    for (const std::uint32_t number : built.numbers) scene_.attributes.row_of_object.push_back(rows[number]);
   }
 
   // Objects a block, before anything is moved away.

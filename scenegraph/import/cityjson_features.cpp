@@ -59,6 +59,7 @@ class Laying {
   CityFeatures run() {
     city_.frame = frame_of(all_);
     city_.attribution = std::move(all_.attribution);
+    city_.attributes = std::move(all_.attributes);
     for (const Issue& issue : all_.issues) told_.insert(issue.where);
     for (Work& work : all_.works) lay(work);
     read_terrain();
@@ -166,22 +167,26 @@ class Laying {
     });
     flush(open);
     if (pieces.empty()) all_.issues.push_back({work.shape.where, "has no area in plan"});
-    for (auto& [kind, parts] : pieces) cover(work.shape.where, kind, std::move(parts));
+    for (auto& [kind, parts] : pieces) cover(work.shape, kind, std::move(parts));
   }
 
-  void cover(const std::string& where, Material kind, std::vector<Geometry> parts) {
+  void cover(const ConstructionFeature& work, Material kind, std::vector<Geometry> parts) {
     const Geometry all = geos_.collection(GEOS_MULTIPOLYGON, std::move(parts));
     const Geometry one = geos_.owned(all ? GEOSUnaryUnion_r(geos_.handle(), all.get()) : nullptr);
-    if (!one) all_.issues.push_back({where, "its surfaces could not be joined; drawn one by one"});
+    if (!one) all_.issues.push_back({work.where, "its surfaces could not be joined; drawn one by one"});
     std::vector<Polygon> shapes = geos_.polygons(one ? one.get() : all.get());
     const bool some = std::ranges::any_of(shapes, [](const Polygon& p) { return plan::area(p) >= kSliver; });
     if (some) std::erase_if(shapes, [](const Polygon& p) { return plan::area(p) < kSliver; });
-    for (Polygon& shape : shapes) city_.areas.push_back({.where = where, .shape = std::move(shape), .kind = kind});
+    for (Polygon& shape : shapes)
+      city_.areas.push_back(
+          {.where = work.where, .shape = std::move(shape), .kind = kind, .attributes = work.attributes});
   }
 
   void plant(const StandingTree& tree) {
     const auto at = plan({tree.foot.lat_deg, tree.foot.lon_deg, 0});
-    if (at) city_.trees.push_back({*at, tree.height, tree.crown_radius, kind_of(tree.species), tree.species});
+    if (at)
+      city_.trees.push_back(
+          {*at, tree.height, tree.crown_radius, kind_of(tree.species), tree.species, tree.attributes});
   }
 
   Collected all_;

@@ -128,6 +128,10 @@ void check_version(const Json& header) {
     throw std::runtime_error("is CityJSON " + version.substr(0, 20) + "; 1.0 to 2.0 are read");
 }
 
+std::uint32_t row_of(const std::vector<std::pair<std::string, std::string>>& said, AttributeWriter& attributes) {
+  return attributes.row(std::vector<AttributeWriter::Given>(said.begin(), said.end()));
+}
+
 /// Up the first parents, as far as they are in the document and no groups; empty where they go round.
 std::string root_of(const Json& objects, const std::string& id) {
   std::string root = id;
@@ -174,6 +178,7 @@ Intake::Intake(const Json& header, const ImportOptions& options)
   if (system_of(header, options.reference_system).empty())
     out_.issues.push_back({"file", "names no reference system: it is laid at latitude 0, longitude 0"});
   out_.attribution = title_of(header);
+  out_.attributes = AttributeWriter(options.attributes);
   read_looks(header);
   read_templates(header);
 }
@@ -255,6 +260,7 @@ void Intake::object(const Json& objects, const std::string& id, const Json& json
   std::string root = stands ? root_of(objects, id) : id;
   if (root.empty()) out_.issues.push_back({where_of(json, root = id), "its parents go round; taken for itself"});
   Work& work = work_of(objects, root, role);
+  if (root != id) note(json, work.said);
   if (role == Role::ground) work.ground = ground_of(json, type);
   for (const Json* geometry : chosen(json)) {
     const bool footprint = role == Role::building && lod(*geometry) < 1 && member(*geometry, "lod") != nullptr;
@@ -269,7 +275,22 @@ Work& Intake::work_of(const Json& objects, const std::string& root, Role role) {
   work.role = role;
   work.id = hash_of(root);
   work.shape.where = where_of(objects[root], root);
+  note(objects[root], work.said);
   return work;
+}
+
+Collected Intake::take() {
+  for (Work& work : out_.works) work.shape.attributes = row_of(work.said, out_.attributes);
+  return std::move(out_);
+}
+
+void Intake::note(const Json& json, std::vector<std::pair<std::string, std::string>>& said) const {
+  if (!out_.attributes.wanted()) return;
+  said.emplace_back("type", text_of(member(json, "type")));
+  const Json* attributes = member(json, "attributes");
+  if (attributes == nullptr || !attributes->is_object()) return;
+  for (const auto& [name, value] : attributes->items())
+    if (!value.is_null()) said.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
 }
 
 void Intake::append(Work& work, const Json& geometry, const Vertices& vertices) {
@@ -341,6 +362,9 @@ void Intake::plant(const std::string& id, const Json& json, const Vertices& vert
   tree.height = told ? *told : shaped ? height : tree_height(species, seed);
   const bool crowned = crown >= 0.05 && crown <= 30;
   tree.crown_radius = wide ? *wide / 2 : crowned ? crown : crown_radius(species, tree.height);
+  std::vector<std::pair<std::string, std::string>> said;
+  note(json, said);
+  tree.attributes = row_of(said, out_.attributes);
   out_.trees.push_back(tree);
 }
 

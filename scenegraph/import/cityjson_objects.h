@@ -24,20 +24,23 @@ struct Work {
   std::uint64_t id = 0;  ///< seed of its looks
   Material ground = Material::grass;
   ConstructionFeature shape;
-  std::vector<FaceKind> kinds;        ///< a row a face
-  std::vector<std::uint32_t> colour;  ///< a row a face: of its material; kNone
+  std::vector<std::pair<std::string, std::string>> said;  ///< attributes, the root's first
+  std::vector<FaceKind> kinds;                            ///< a row a face
+  std::vector<std::uint32_t> colour;                      ///< a row a face: of its material; kNone
 };
 
 struct StandingTree {
   GeoPoint foot;
   double height = 0, crown_radius = 0;
   PlantSpecies species = PlantSpecies::broadleaf;
+  std::uint32_t attributes = 0;
 };
 
 struct Collected {
   std::vector<Work> works;
   std::vector<StandingTree> trees;
   std::vector<Issue> issues;
+  AttributeWriter attributes;
   std::string attribution;
 };
 
@@ -52,7 +55,7 @@ class Intake {
   Intake(const Json& header, const ImportOptions& options);
   /// A document or a feature. Throws where it has no objects at all.
   void add(const Json& document);
-  Collected take() { return std::move(out_); }
+  Collected take();
   std::vector<Issue>& issues() { return out_.issues; }
 
  private:
@@ -65,6 +68,7 @@ class Intake {
   void read_templates(const Json& header);
   void read_looks(const Json& header);
   void object(const Json& objects, const std::string& id, const Json& json, const Vertices& vertices);
+  void note(const Json& json, std::vector<std::pair<std::string, std::string>>& said) const;
   void plant(const std::string& id, const Json& json, const Vertices& vertices);
   Work& work_of(const Json& objects, const std::string& id, Role role);
   void append(Work& work, const Json& geometry, const Vertices& vertices);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "scenegraph/attributes.h"
 #include "scenegraph/local_frame.h"
 #include "scenegraph/scene.h"
 
@@ -35,6 +36,7 @@ struct BuildingFeature {
   int levels = 2;          ///< storeys between min_height and the eaves, at least 1
   RoofShape roof = RoofShape::flat;
   std::uint32_t wall_rgb = 0xd8cfc0, roof_rgb = 0x8a8580;  ///< sRGB, 0xRRGGBB
+  std::uint32_t attributes = 0;                            ///< row of CityFeatures::attributes
 };
 
 /// A building or other work that brings surfaces of its own: plane polygons in space, with holes. Points are (x, y in
@@ -52,6 +54,7 @@ struct ConstructionFeature {
   std::vector<std::uint32_t> ring_last;  ///< of corners; a ring begins where the one before it ends
   std::vector<Face> faces;
   std::vector<std::uint32_t> part_last;  ///< of faces; likewise
+  std::uint32_t attributes = 0;          ///< row of CityFeatures::attributes
 };
 
 enum class StreetClass : std::uint8_t { motorway, primary, secondary, residential, service, pedestrian, path, track };
@@ -65,7 +68,8 @@ struct StreetFeature {
   int layer = 0;
   StreetClass kind = StreetClass::residential;
   bool one_way = false, bridge = false, tunnel = false,
-       circular = false;  ///< circular: a closed area, such as a square
+       circular = false;         ///< circular: a closed area, such as a square
+  std::uint32_t attributes = 0;  ///< row of CityFeatures::attributes
 };
 /// Cars drive there, and it bounds blocks: motorway to residential.
 inline bool carries_traffic(StreetClass kind) { return kind <= StreetClass::residential; }
@@ -75,6 +79,7 @@ struct TreeFeature {
   double height = 10, crown_radius = 3;
   PlantKind kind = PlantKind::broadleaf;
   std::optional<PlantSpecies> species = {};  ///< of that kind; none: any
+  std::uint32_t attributes = 0;              ///< row of CityFeatures::attributes
 };
 
 /// What an ecosystem places: just so, of a model of its own.
@@ -91,7 +96,8 @@ struct AreaFeature {
   Material kind = Material::grass;  ///< grass, park, wood, farmland, sand, water, pavement
   double trees_per_ha = 0;          ///< > 0: filled with trees
   PlantKind tree_kind = PlantKind::broadleaf;
-  bool mixed = false;  ///< broadleaf and conifer
+  bool mixed = false;            ///< broadleaf and conifer
+  std::uint32_t attributes = 0;  ///< row of CityFeatures::attributes
 };
 
 struct CityFeatures {
@@ -103,6 +109,7 @@ struct CityFeatures {
   std::vector<PlacedPlant> plants;
   std::vector<AreaFeature> areas;
   std::vector<Issue> issues;
+  AttributeWriter attributes;  ///< what the file says of each; empty unless ImportOptions::attributes
   bool left_hand_traffic = false;
   std::string attribution;
 };

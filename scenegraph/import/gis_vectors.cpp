@@ -66,6 +66,15 @@ class Attributes {
     const double value = feature_.GetFieldAsDouble(field);
     return value >= range.x && value <= range.y ? std::optional(value) : std::nullopt;
   }
+  /// All that are not null.
+  std::uint32_t row(AttributeWriter& writer) const {
+    if (!writer.wanted()) return 0;
+    std::vector<std::pair<std::string, std::string> > texts;
+    for (int i = 0; i < feature_.GetFieldCount(); ++i)
+      if (feature_.IsFieldSetAndNotNull(i))
+        texts.emplace_back(feature_.GetFieldDefnRef(i)->GetNameRef(), feature_.GetFieldAsString(i));
+    return writer.row(std::vector<AttributeWriter::Given>(texts.begin(), texts.end()));
+  }
 
  private:
   int find(const std::string& named, std::initializer_list<const char*> usual) const {
@@ -83,7 +92,8 @@ class Attributes {
 
 class Reader {
  public:
-  Reader(const TreeColumns& columns, const ImportOptions& options) : columns_(columns), options_(options) {}
+  Reader(const TreeColumns& columns, const ImportOptions& options)
+      : columns_(columns), options_(options), said_(options.attributes) {}
 
   CityFeatures run(GDALDataset& file) {
     for (OGRLayer* layer : file.GetLayers()) read(*layer);
@@ -138,6 +148,7 @@ class Reader {
     if (polygon.getExteriorRing() == nullptr) return;
     BuildingFeature& building = found_.buildings.emplace_back();
     building.where = where;
+    building.attributes = attributes.row(said_);
     building.footprint.outer = ring_of(*polygon.getExteriorRing());
     for (int i = 0; i < polygon.getNumInteriorRings(); ++i)
       building.footprint.holes.push_back(ring_of(*polygon.getInteriorRing(i)));
@@ -154,6 +165,7 @@ class Reader {
     TreeFeature& tree = found_.trees.emplace_back();
     const std::uint64_t id = hash_text(where);
     tree.position = {point.getX(), point.getY()};
+    tree.attributes = attributes.row(said_);
     tree.species = species_named(name).value_or(species_for(PlantKind::broadleaf, TreePlace::park, id));
     for (std::size_t i = 0; i < kPlantSpecies; ++i)
       if (name == foliage::kSpeciesNames[i]) tree.species = static_cast<PlantSpecies>(i);
@@ -190,6 +202,7 @@ class Reader {
   CityFeatures take() {
     CityFeatures city;
     city.issues = std::move(found_.issues);
+    city.attributes = std::move(said_);
     if (found_.others > 0)
       city.issues.push_back({"file", std::to_string(found_.others) + " geometries that are neither polygon nor point"});
     std::vector<GeoPoint> places;
@@ -229,6 +242,7 @@ class Reader {
 
   const TreeColumns& columns_;
   const ImportOptions& options_;
+  AttributeWriter said_;
   Found found_;
   std::vector<std::string> kinds_;
 };

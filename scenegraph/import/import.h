@@ -19,6 +19,7 @@ struct ImportOptions {
   std::uint64_t seed = 1;                                ///< of scattered trees, cars and the built-in town
   int cars = -1;                                         ///< how many; -1: by the length of the streets, at most 20 000
   double lod = std::numeric_limits<double>::infinity();  ///< of CityJSON: the finest that is wanted
+  bool attributes = false;                               ///< keep what files say of things, as text
   std::string reference_system = {};                     ///< of files that name none: "EPSG:28992"; empty: none
 };
 
@@ -37,7 +38,7 @@ struct Imported {
 };
 
 /// Throws std::runtime_error ("FILE: what, where") when the file cannot be read at all.
-CityFeatures read_osm(const std::filesystem::path& file, const Progress& progress);
+CityFeatures read_osm(const std::filesystem::path& file, const Progress& progress, bool attributes = false);
 
 /// Throws as read_osm does.
 CityFeatures read_cityjson(const std::filesystem::path& file, const ImportOptions& options, const Progress& progress);
@@ -66,7 +67,7 @@ void merge(CityFeatures& into, CityFeatures more);
 /// Never fails for bad features: they are listed.
 Imported build_scene(CityFeatures features, const ImportOptions& options, const Progress& progress);
 
-/// read_city, then build_scene.
+/// read_city, then build_scene; or a baked city, FILE.manzana (scenegraph/import/baked_city.h), as it is.
 Imported import_city(const std::string& city, const ImportOptions& options, const Progress& progress);
 
 }  // namespace manzana

@@ -13,10 +13,14 @@ struct MeshObject {
   CityMesh mesh;
   culling::BoxD box;
   std::uint32_t block = 0;
+  std::uint32_t attributes = 0;  ///< row
+  culling::ClassMask kind = kSurface;
 };
 struct TreeObject {
   TreeInstance instance;
   culling::BoxD box;
+  std::uint32_t attributes = 0;
+  culling::ClassMask kind = kTrees;
 };
 
 /// Of the vertices as they are stored: floats in the block's frame, turned into L in double.

@@ -54,23 +54,29 @@ void append(std::vector<T>& to, std::vector<T>&& from, auto&& keep) {
 
 void merge(CityFeatures& into, CityFeatures more) {
   Move move{more.frame, into.frame};
+  const auto said = [&](auto& feature) {
+    feature.attributes = into.attributes.row(more.attributes.table().row(feature.attributes));
+  };
   append(into.buildings, std::move(more.buildings),
-         [&](BuildingFeature& b) { return move.all(b.footprint), move.near(b.footprint.outer); });
+         [&](BuildingFeature& b) { return said(b), move.all(b.footprint), move.near(b.footprint.outer); });
   append(into.constructions, std::move(more.constructions), [&](ConstructionFeature& c) {
+    said(c);
     for (Vec3d& p : c.points) p = {move(Vec2d(p)), p.z};
     return c.points.empty() || move.near(Vec2d(c.points[0]));
   });
   Renumber own;
   Renumber other{.next = own.all(into.streets)};
   other.all(more.streets);
-  append(into.streets, std::move(more.streets), [&](StreetFeature& s) { return move.all(s.line), move.near(s.line); });
-  append(into.trees, std::move(more.trees), [&](TreeFeature& t) { return move.near(t.position = move(t.position)); });
+  append(into.streets, std::move(more.streets),
+         [&](StreetFeature& s) { return said(s), move.all(s.line), move.near(s.line); });
+  append(into.trees, std::move(more.trees),
+         [&](TreeFeature& t) { return said(t), move.near(t.position = move(t.position)); });
   append(into.plants, std::move(more.plants), [&](PlacedPlant& p) {
     p.position = {move(Vec2d(p.position)), p.position.z};
     return move.near(Vec2d(p.position));
   });
   append(into.areas, std::move(more.areas),
-         [&](AreaFeature& a) { return move.all(a.shape), move.near(a.shape.outer); });
+         [&](AreaFeature& a) { return said(a), move.all(a.shape), move.near(a.shape.outer); });
   append(into.issues, std::move(more.issues), [](const Issue&) { return true; });
   if (move.far > 0)
     into.issues.push_back(

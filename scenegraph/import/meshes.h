@@ -32,7 +32,8 @@ inline constexpr double kSurfacePiece = 150;
 /// One piece of ground to be laid: part of a street, of a junction, or of an area. Its centre decides its block.
 struct SurfacePiece {
   Vec2d center{0, 0};
-  CityMesh plan;  ///< position = (x, y relative to `center`, height above ground); block unset
+  CityMesh plan;                 ///< position = (x, y relative to `center`, height above ground); block unset
+  std::uint32_t attributes = 0;  ///< row of what it is a piece of
 };
 
 /// Carriageways with lane lines, pavements beside them, junctions, bridges with deck, parapets and ramps.

@@ -36,7 +36,8 @@ struct OsmFile {
 OsmFile load_osm(const osmium::io::File& file, const std::string& name, const Progress& progress);
 
 /// The same way for a file's bytes; `format` is libosmium's: "osm", "osm.gz", "osm.bz2", "pbf".
-CityFeatures read_osm_bytes(std::string_view bytes, const std::string& format, const std::string& name);
+CityFeatures read_osm_bytes(std::string_view bytes, const std::string& format, const std::string& name,
+                            bool attributes = false);
 
 /// "way 4711 (building)".
 std::string where_of(const osmium::OSMObject& object);

@@ -103,12 +103,14 @@ void take_leaf_type(const osmium::TagList& tags, AreaFeature& area) {
   }
 }
 
-void append_areas(const OsmArea& area, std::vector<AreaFeature>& out) {
+void append_areas(const OsmArea& area, CityFeatures& city) {
   const GroundRule& rule = *rule_for(*area.tags);
+  const std::uint32_t attributes = row_of(*area.tags, city.attributes);
   for (const Polygon& shape : area.shapes) {
     AreaFeature feature{area.where, shape, rule.kind, rule.trees_per_ha, rule.tree, rule.mixed};
     take_leaf_type(*area.tags, feature);
-    out.push_back(std::move(feature));
+    feature.attributes = attributes;
+    city.areas.push_back(std::move(feature));
   }
 }
 
@@ -133,7 +135,8 @@ void append_stream(const Geos& geos, const osmium::Way& way, const OsmShapes& sh
                                          : nullptr);
   const std::vector<Polygon> beds = bed ? geos.polygons(bed.get()) : std::vector<Polygon>();
   if (beds.empty()) city.issues.push_back({where, "no line to widen"});
-  for (const Polygon& shape : beds) city.areas.push_back({where, shape, water, 0, kLeafy, false});
+  const std::uint32_t attributes = row_of(way.tags(), city.attributes);
+  for (const Polygon& shape : beds) city.areas.push_back({where, shape, water, 0, kLeafy, false, attributes});
 }
 
 /// By density alone; square metres to hectares: 1e-4.
@@ -168,7 +171,7 @@ void limit_trees(CityFeatures& city) {
 
 void read_grounds(const OsmFile& osm, const OsmShapes& shapes, CityFeatures& city) {
   const auto wanted = [](const osmium::TagList& tags) { return rule_for(tags) != nullptr; };
-  for (const OsmArea& area : shapes.areas(wanted, city.issues)) append_areas(area, city.areas);
+  for (const OsmArea& area : shapes.areas(wanted, city.issues)) append_areas(area, city);
   const Geos geos;
   for (const osmium::Way* way : osm.ways) {
     if (way->tags().has_key("waterway") && !rule_for(way->tags())) append_stream(geos, *way, shapes, city);

@@ -6,6 +6,15 @@
 
 namespace manzana {
 
+std::uint32_t row_of(const osmium::TagList& tags, AttributeWriter& attributes, const osmium::TagList* more) {
+  if (!attributes.wanted()) return 0;
+  std::vector<AttributeWriter::Given> given;
+  for (const osmium::Tag& tag : tags) given.emplace_back(tag.key(), tag.value());
+  if (more != nullptr && more != &tags)
+    for (const osmium::Tag& tag : *more) given.emplace_back(tag.key(), tag.value());
+  return attributes.row(given);
+}
+
 std::string_view TagReader::text(const char* key) const {
   const char* value = tags_[key];
   return value == nullptr ? std::string_view() : std::string_view(value);

@@ -15,6 +15,9 @@ struct ValueRange {
   double least, most;
 };
 
+/// All tags, as they are; then those of `more` that say something else.
+std::uint32_t row_of(const osmium::TagList& tags, AttributeWriter& attributes, const osmium::TagList* more = nullptr);
+
 class TagReader {
  public:
   TagReader(const osmium::TagList& tags, const std::string& where, std::vector<Issue>& issues)

@@ -53,6 +53,7 @@ void read_tree_row(const osmium::Way& way, const OsmShapes& shapes, CityFeatures
     return;
   }
   const auto row = static_cast<std::uint64_t>(way.id());
+  const std::uint32_t attributes = row_of(way.tags(), city.attributes);
   std::uint64_t index = 0;
   double next = kTreeRowStep / 2, start = 0;
   for (std::size_t i = 1; i < line.points.size(); ++i) {
@@ -61,6 +62,7 @@ void read_tree_row(const osmium::Way& way, const OsmShapes& shapes, CityFeatures
     for (; next <= start + length && length > 0; next += kTreeRowStep) {
       const std::uint64_t id = static_cast<std::uint64_t>(way.id()) * 1000003u + index++;
       TreeFeature tree = tree_of(tags, way.tags(), id, a + (b - a) * ((next - start) / length), TreePlace::row, row);
+      tree.attributes = attributes;
       city.trees.push_back(tree);
     }
     start += length;
@@ -91,6 +93,7 @@ void read_trees(const OsmFile& osm, const OsmShapes& shapes, CityFeatures& city)
     if (position) {
       const auto id = static_cast<std::uint64_t>(node->id());
       city.trees.push_back(tree_of(tags, node->tags(), id, *position, TreePlace::park, id));
+      city.trees.back().attributes = row_of(node->tags(), city.attributes);
     } else {
       city.issues.push_back({where, "too far from the rest of the data"});
     }

@@ -8,9 +8,10 @@
 namespace manzana {
 namespace {
 
-CityFeatures features_of(OsmFile osm) {
+CityFeatures features_of(OsmFile osm, bool attributes) {
   const OsmShapes shapes(osm);
   CityFeatures city;
+  city.attributes = AttributeWriter(attributes);
   city.frame = shapes.frame();
   city.attribution = osm.attribution;
   city.issues = std::move(osm.issues);
@@ -39,12 +40,13 @@ osmium::io::File checked_file(const std::filesystem::path& file) {
 
 }  // namespace
 
-CityFeatures read_osm(const std::filesystem::path& file, const Progress& progress) {
-  return features_of(load_osm(checked_file(file), file.string(), progress));
+CityFeatures read_osm(const std::filesystem::path& file, const Progress& progress, bool attributes) {
+  return features_of(load_osm(checked_file(file), file.string(), progress), attributes);
 }
 
-CityFeatures read_osm_bytes(std::string_view bytes, const std::string& format, const std::string& name) {
-  return features_of(load_osm(osmium::io::File(bytes.data(), bytes.size(), format), name, {}));
+CityFeatures read_osm_bytes(std::string_view bytes, const std::string& format, const std::string& name,
+                            bool attributes) {
+  return features_of(load_osm(osmium::io::File(bytes.data(), bytes.size(), format), name, {}), attributes);
 }
 
 }  // namespace manzana

@@ -265,7 +265,9 @@ void lay_squares(const StreetGraph& graph, std::vector<SurfacePiece>& pieces, st
     if (!street.circular || street.tunnel || carries_traffic(street.kind)) continue;
     const StreetLook look = street_look(street.kind);
     const Material material = look.material == Material::asphalt ? Material::junction : look.material;
+    const std::size_t first = pieces.size();
     append_area(pieces, geos, {street.line, {}}, {street.where, material, kSquareHeight}, issues);
+    for (std::size_t i = first; i < pieces.size(); ++i) pieces[i].attributes = street.attributes;
   }
 }
 
@@ -276,8 +278,11 @@ std::vector<SurfacePiece> street_pieces(const StreetGraph& graph, std::vector<Is
   std::vector<StreetLine> lines = street_lines(graph, issues);
   for (std::size_t e = 0; e < lines.size(); ++e) {
     if (!lines[e].laid) continue;
-    for (SurfacePiece& piece : Layer(graph.streets[graph.edges[e].street], lines[e]).run())
+    const StreetFeature& street = graph.streets[graph.edges[e].street];
+    for (SurfacePiece& piece : Layer(street, lines[e]).run()) {
+      piece.attributes = street.attributes;
       pieces.push_back(std::move(piece));
+    }
   }
   lay_squares(graph, pieces, issues);
   return pieces;

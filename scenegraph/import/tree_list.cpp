@@ -40,11 +40,15 @@ std::optional<double> number(std::string_view text) {
 struct Entry {
   std::string where, species = {}, height = {}, crown = {};
   std::optional<double> crown_m = {};  ///< of the outline, where there is one
+  std::uint32_t attributes = 0;
 };
 
 class TreeReader {
  public:
-  explicit TreeReader(ReferenceSystem system) : system_(std::move(system)) {}
+  TreeReader(ReferenceSystem system, bool attributes) : system_(std::move(system)) {
+    city_.attributes = AttributeWriter(attributes);
+  }
+  AttributeWriter& attributes() { return city_.attributes; }
 
   void add(const Vec2d& xy, const Entry& entry) {
     const auto place = system_.to_geo({xy, 0});
@@ -90,6 +94,7 @@ class TreeReader {
     auto crown = metres(entry, entry.crown, "crown", {0.1, 60});
     if (!crown) crown = entry.crown_m;
     tree.crown_radius = crown ? *crown / 2 : crown_radius(*tree.species, tree.height);
+    tree.attributes = entry.attributes;
     return tree;
   }
 
@@ -117,6 +122,15 @@ class Columns {
   const CsvRows& rows_;
 };
 
+/// Columns that are not empty.
+std::uint32_t row_of(const std::vector<std::string>& names, const std::vector<std::string>& fields,
+                     AttributeWriter& attributes) {
+  std::vector<AttributeWriter::Given> given;
+  for (std::size_t i = 0; attributes.wanted() && i < names.size(); ++i)
+    if (!fields[i].empty()) given.emplace_back(names[i], fields[i]);
+  return attributes.row(given);
+}
+
 CityFeatures read_csv(std::string_view bytes, const TreeColumns& names, const ImportOptions& options) {
   CsvRows rows(bytes);
   const Columns columns(rows);
@@ -127,7 +141,7 @@ CityFeatures read_csv(std::string_view bytes, const TreeColumns& names, const Im
   const auto species = columns.find(names.species, {"species"});
   const auto height = columns.find(names.height, {"height"}), crown = columns.find(names.crown, {"crown"});
 
-  TreeReader trees(ReferenceSystem(degrees ? "EPSG:4326" : options.reference_system));
+  TreeReader trees(ReferenceSystem(degrees ? "EPSG:4326" : options.reference_system), options.attributes);
   if (!degrees && options.reference_system.empty())
     trees.refuse({.where = "file"}, "x and y without a reference system: laid at latitude 0, longitude 0");
   for (CsvRow row; rows.next(row);) {
@@ -139,6 +153,7 @@ CityFeatures read_csv(std::string_view bytes, const TreeColumns& names, const Im
       trees.refuse(entry, "fewer columns than the header");
     else {
       const auto east = number(row.fields[*x]), north = number(row.fields[*y]);
+      entry.attributes = row_of(rows.header(), row.fields, trees.attributes());
       entry.species = text(species), entry.height = text(height), entry.crown = text(crown);
       if (east && north)
         trees.add({*east, *north}, entry);
@@ -159,6 +174,14 @@ std::string text_of(const Json* json) {
   return json->is_string() ? json->get<std::string>() : json->dump();
 }
 
+std::uint32_t row_of(const Json* properties, AttributeWriter& attributes) {
+  if (!attributes.wanted() || properties == nullptr || !properties->is_object()) return 0;
+  std::vector<std::pair<std::string, std::string>> texts;
+  for (const auto& [name, value] : properties->items())
+    if (!value.is_null()) texts.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
+  return attributes.row(std::vector<AttributeWriter::Given>(texts.begin(), texts.end()));
+}
+
 Vec2d position_of(const Json& json) {
   const bool two = json.is_array() && json.size() >= 2 && json[0].is_number() && json[1].is_number();
   if (!two) throw std::runtime_error("a position is not of two numbers");
@@ -172,7 +195,8 @@ const Json& array_of(const Json& json) {
 
 class GeoJsonReader {
  public:
-  GeoJsonReader(const TreeColumns& names, const std::string& system) : names_(names), trees_(ReferenceSystem(system)) {}
+  GeoJsonReader(const TreeColumns& names, const std::string& system, bool attributes)
+      : names_(names), trees_(ReferenceSystem(system), attributes) {}
 
   void feature(const Json& json, std::size_t number) {
     const Json* properties = member(json, "properties");
@@ -181,6 +205,7 @@ class GeoJsonReader {
     };
     Entry entry{"feature " + std::to_string(number), text(names_.species, "species"), text(names_.height, "height"),
                 text(names_.crown, "crown")};
+    entry.attributes = row_of(properties, trees_.attributes());
     try {
       const Json* geometry = member(json, "geometry");
       const Json* coordinates = geometry == nullptr ? nullptr : member(*geometry, "coordinates");
@@ -230,7 +255,7 @@ CityFeatures read_geojson(std::string_view bytes, const TreeColumns& names, cons
   const Json json = parse_shallow_json(bytes);
   const Json* features = member(json, "features");
   if (features == nullptr || !features->is_array()) throw std::runtime_error("is no GeoJSON: no \"features\"");
-  GeoJsonReader reader(names, system_of(json, options.reference_system));
+  GeoJsonReader reader(names, system_of(json, options.reference_system), options.attributes);
   for (std::size_t i = 0; i < features->size(); ++i) reader.feature((*features)[i], i + 1);
   return reader.take();
 }

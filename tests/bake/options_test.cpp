@@ -45,3 +45,16 @@ TEST_CASE("bake options: help and version are 0, wrong usage is 2 and one line")
     CHECK(std::count(reply.text.begin(), reply.text.end(), '\n') == 1);
   }
 }
+
+TEST_CASE("bake options: a city to be imported") {
+  const Parsed plain = parsed({"import", "a.osm.pbf", "-o", "a.manzana"});
+  REQUIRE(plain.options);
+  CHECK(plain.options->command == Command::city);
+  CHECK(plain.options->city == "a.osm.pbf");
+  CHECK(plain.options->import.cars == -1);
+  CHECK(plain.options->import.attributes);
+  const Parsed bare = parsed({"import", "a.city.json", "-o", "a.manzana", "--cars", "7", "--no-attributes"});
+  REQUIRE(bare.options);
+  CHECK(bare.options->import.cars == 7);
+  CHECK_FALSE(bare.options->import.attributes);
+}

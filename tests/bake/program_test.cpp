@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "foliage/import/plant_cache.h"
+#include "scenegraph/import/baked_city.h"
 #include "tests/support/data.h"
 #include "tests/support/program.h"
 
@@ -43,6 +44,26 @@ void check_answer(const Path& file) {
 }
 
 }  // namespace
+
+TEST_CASE("bake program: a city is imported once and opened again") {
+  const TemporaryFolder folder;
+  const Path out = folder.path() / "town.manzana";
+  const Ended ended = run_program(MANZANA_BAKE, folder.path(), {"import", "builtin:town", "--cars", "20", "-o", out});
+  CAPTURE(ended.err);
+  REQUIRE(ended.code == 0);
+  for (const char* said : {"city ", "blocks", "20 cars", "attributes ", "seconds "})
+    CHECK_THAT(ended.out, Catch::Contains(said));
+  CHECK(manzana::read_baked(out).scene.traffic.cars() == 20);
+  const std::string first = read_all(out);
+  REQUIRE(run_program(MANZANA_BAKE, folder.path(), {"import", "builtin:town", "--cars", "20", "-o", out}).code == 0);
+  CHECK(read_all(out) == first);
+  for (const Path& wrong : {folder.path() / "town.osm", folder.path() / "no" / "town.manzana"}) {
+    const Ended failed = run_program(MANZANA_BAKE, folder.path(), {"import", "builtin:town", "-o", wrong});
+    CHECK(failed.code == 1);
+    CHECK_THAT(failed.err, Catch::Contains(wrong.string()));
+    CHECK_FALSE(std::filesystem::exists(wrong));
+  }
+}
 
 TEST_CASE("bake program: a species is prepared, told of, and the same again") {
   const TemporaryFolder folder;

@@ -232,6 +232,24 @@ TEST_CASE("edits: blocks that move in their own room") {
   }
 }
 
+TEST_CASE("edits: other classes for all") {
+  for (const std::uint64_t seed : {67, 68}) {
+    Random random(seed);
+    const City city = baselines::make_city(1000, seed);
+    EditedCity e = seed == 67 ? edited(city) : edited(city, any_classes(random, city.objects()));
+    for (int round = 0; round < 5; ++round) {
+      INFO("seed " << seed << ", round " << round);
+      for (int i = 0; i < 20; ++i) any_edit(e, random, Vec3d(0), i % 2 == 0);
+      const std::vector<ClassMask> classes = any_classes(random, e.tree.objects());
+      std::vector<ClassMask> besides;
+      for (const EditedCity::Block& block : e.blocks) besides.push_back(block.volume.classes);
+      set_classes(e.tree, classes, besides);
+      for (std::uint32_t i = 0; i < classes.size(); ++i) e.classes[e.tree.object_order[i]] = classes[i];
+      check(e, random, Vec3d(0));
+    }
+  }
+}
+
 TEST_CASE("edits: moves without end take no memory and leave no wide boxes behind") {
   Random random(66);
   EditedCity e;

@@ -87,6 +87,33 @@ TEST_CASE("c: a picture and what is picked in it") {
   manzana_model_free(city);
 }
 
+TEST_CASE("c: what a file says of a feature is given") {
+  manzana_error error{};
+  const std::string osm =
+      R"(<osm version="0.6"><node id="1" lat="50" lon="8"/><node id="2" lat="50.0002" lon="8"/>
+      <node id="3" lat="50.0002" lon="8.0003"/><way id="1"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="1"/>
+      <tag k="building" v="yes"/><tag k="name" v="Rathaus"/></way></osm>)";
+  for (const int wanted : {1, 0}) {
+    manzana_load_options options = manzana_load_defaults();
+    CHECK(options.attributes == 1);
+    options.attributes = wanted;
+    options.trees = 0;
+    manzana_model* city =
+        manzana_model_load_bytes(osm.data(), osm.size(), "osm", "x", &options, nullptr, nullptr, &error);
+    REQUIRE(city != nullptr);
+    int found = 0;
+    for (std::uint32_t id = 0; id <= manzana_model_features(city) + 1; ++id)
+      for (std::uint32_t i = 0; i < manzana_model_attributes(city, id); ++i) {
+        const char *name = nullptr, *value = nullptr;
+        REQUIRE(manzana_model_attribute(city, id, i, &name, &value) == 1);
+        found += std::string(name) == "name" && std::string(value) == "Rathaus" ? 1 : 0;
+        CHECK(manzana_model_attribute(city, id, 99, &name, &value) == 0);
+      }
+    CHECK(found == wanted);
+    manzana_model_free(city);
+  }
+}
+
 TEST_CASE("c: nodes are put in and moved and found and gone") {
   manzana_error error{};
   manzana_model* city = load("builtin:town", &error);
@@ -158,5 +185,5 @@ TEST_CASE("c: the library shows its own functions and nothing else") {
     INFO(name);
     CHECK(name.starts_with("manzana_"));
   }
-  CHECK(functions == 37);
+  CHECK(functions == 41);
 }

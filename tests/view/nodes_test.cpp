@@ -95,6 +95,40 @@ TEST_CASE("nodes: appear where they stand and move and are painted and disappear
   view.release();
 }
 
+TEST_CASE("view: buildings are coloured by what is said of them and in their own colours again") {
+  const gl::HeadlessContext context;
+  const HostWindow window(kWidth, kHeight);
+  const auto village = Model::load(MANZANA_VILLAGE, {.cars = 0, .trees = false});
+  const culling::BoxD& box = village->scene().bounds;
+  const HostCamera camera = looking({center(box).x, box.min.y - 20, 80}, center(box), kWidth, kHeight);
+  View view;
+  view.show(village);
+  const auto own = picture(view, window, camera);
+  std::size_t asked = 0;
+  view.colour_by([&](const Feature& feature) {
+    ++asked;
+    return feature.attributes.find("building") == "church" ? View::Colour() : View::Colour(0x1010ff);
+  });
+  const auto blue = picture(view, window, camera);
+  CHECK(asked == village->scene().buildings.table.size());
+  std::vector<FeatureId> ids(kWidth * kHeight);
+  view.pick(0, {0, 0, kWidth, kHeight}, ids);
+  std::size_t walls = 0, bluer = 0, unharmed = 0, others = 0;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const bool wall = ids[i] != 0 && village->feature(ids[i]).kind == kBuilding;
+    walls += wall ? 1 : 0;
+    bluer += wall && blue[i].c[2] > blue[i].c[0] + 20 ? 1 : 0;
+    others += wall ? 0 : 1;
+    unharmed += !wall && blue[i] == own[i] ? 1 : 0;
+  }
+  CHECK(walls > 500);
+  CHECK(static_cast<double>(bluer) > 0.7 * static_cast<double>(walls));
+  CHECK(static_cast<double>(unharmed) > 0.95 * static_cast<double>(others));  // all but the edges of walls
+  view.colour_by({});
+  CHECK(share_different(picture(view, window, camera), own, 0) == 0);
+  view.release();
+}
+
 TEST_CASE("nodes: a picture does not tell in what order things were done") {
   const gl::HeadlessContext context;
   const HostWindow window(kWidth, kHeight);

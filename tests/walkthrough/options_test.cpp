@@ -147,3 +147,11 @@ TEST_CASE("options: several cities and lists of trees") {
   CHECK(parse({"--trees", "t.csv", "--tree-columns", "tall=H"}).exit_code == 2);
   CHECK(parse({"--lod", "nan"}).exit_code == 2);
 }
+
+TEST_CASE("options: what is looked for is named by classes") {
+  CHECK(parse({}).options->only == culling::kAllClasses);
+  CHECK(parse({"--only", "building20,conifer"}).options->only == classes_named("building20 conifer"));
+  const Parsed wrong = parse({"--only", "cow"});
+  CHECK(wrong.exit_code == 2);
+  CHECK_THAT(wrong.text, Catch::Contains("no class is called 'cow'"));
+}

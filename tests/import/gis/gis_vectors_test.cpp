@@ -57,6 +57,21 @@ void check_town(const CityFeatures& city) {
 
 }  // namespace
 
+TEST_CASE("gis vectors: properties are kept where they are asked for") {
+  const TemporaryFolder folder;
+  const Path file = written(folder, "town.geojson", kTown);
+  const CityFeatures city = read_gis_vectors(file, {}, {.attributes = true});
+  REQUIRE(city.buildings.size() == 3);
+  REQUIRE(city.trees.size() == 1);
+  const auto row = [&](std::uint32_t i) { return city.attributes.table().row(i); };
+  CHECK(row(city.buildings[0].attributes).find("id") == "A1");
+  CHECK(row(city.buildings[0].attributes).number("height") == 14.5);
+  CHECK_FALSE(row(city.buildings[0].attributes).find("levels"));
+  CHECK(city.buildings[1].attributes == city.buildings[2].attributes);
+  CHECK(row(city.trees[0].attributes).find("species") == "Quercus robur");
+  CHECK(read_gis_vectors(file, {}, {}).buildings[0].attributes == 0);
+}
+
 TEST_CASE("gis vectors: GeoJSON brings footprints and trees and lists the rest") {
   const TemporaryFolder folder;
   const CityFeatures city = read_gis_vectors(written(folder, "town.geojson", kTown), {}, {});

@@ -258,3 +258,54 @@ TEST_CASE("scene: the village shows all that is read") {
   CHECK(village.scene.traffic.cars() > 0);
   CHECK(village.report.blocks > 5);
 }
+
+TEST_CASE("what is asked for by class is what is found without and is of that class") {
+  const Scene& scene = town().scene;
+  support::Random random(77);
+  VisibleSets all(scene), some(scene);
+  std::size_t asked = 0;
+  for (int i = 0; i < 60; ++i) {
+    const culling::View view = random_view(scene, random);
+    some.classes = i % 3 == 0 ? classes_named("building20 conifer") : static_cast<culling::ClassMask>(random.bits());
+    find_visible(scene, view, Structure::bqr, all);
+    find_visible(scene, view, Structure::bqr, some);
+    std::vector<bool> wanted(scene.tree.objects(), false), found(wanted);
+    for (const culling::ObjectRun& run : all.objects())
+      for (std::uint32_t o = run.first; o < run.last; ++o) wanted[o] = (scene.tree.classes[o] & some.classes) != 0;
+    for (const culling::ObjectRun& run : some.objects())
+      for (std::uint32_t o = run.first; o < run.last; ++o) found[o] = true;
+    REQUIRE(found == wanted);
+    asked += static_cast<std::size_t>(std::count(found.begin(), found.end(), true));
+    find_cars(scene, 0, all);
+    find_cars(scene, 0, some);
+    REQUIRE(some.cars.size() == ((some.classes & kCar) != 0 ? all.cars.size() : 0));
+  }
+  CHECK(asked > 1000);
+}
+
+TEST_CASE("classes are what the objects are") {
+  const Scene& scene = town().scene;
+  std::map<int, int> of;
+  for (std::uint32_t o = 0; o < scene.tree.objects(); ++o) {
+    const int kind = scene.tree.classes[o];
+    ++of[kind];
+    const std::uint32_t building = scene.buildings.table.row_first[o], tree = scene.trees.table.row_first[o];
+    if (building < scene.buildings.table.row_first[o + 1]) {
+      const culling::BoxD box = box_in_scene(scene, scene.buildings.table, building);
+      const double height = box.max.z - box.min.z;  // in L: some decimetres more than upright
+      REQUIRE((kind & kBuildings) != 0);
+      if (height < 9) CHECK(kind == kBuilding);
+      if (height > 21 && height < 39) CHECK(kind == kBuildingOver20);
+    } else if (tree < scene.trees.table.row_first[o + 1]) {
+      const TreeInstance& t = scene.trees.instances[tree];
+      REQUIRE(kind == tree_class(kind_of(static_cast<PlantSpecies>(t.plant)), static_cast<double>(t.height_m)));
+    } else {
+      REQUIRE(kind == kSurface);
+    }
+  }
+  CHECK(of.size() >= 7);
+  CHECK(classes_named("building") == kBuildings);
+  CHECK(classes_named("tree15,conifer street") == (kBroadleafOver15 | kConiferOver15 | kConifer | kSurface));
+  CHECK(classes_named("") == 0);
+  CHECK_THROWS_WITH(classes_named("tree,cow"), "no class is called 'cow'");
+}

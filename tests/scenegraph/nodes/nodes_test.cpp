@@ -222,6 +222,38 @@ TEST_CASE("nodes: what holds for a node holds for all below") {
   CHECK(nodes.add({}) > roof);
 }
 
+TEST_CASE("nodes: a host has classes of its own") {
+  support::Random random(5);
+  Nodes nodes(town());
+  const NodeId node = nodes.add({.placement = any_placement(random, false), .mesh = block_mesh({5, 5, 5})});
+  const auto of = [](std::uint32_t object) { return static_cast<culling::ClassMask>(1U << (object % 3)); };
+  nodes.classify(of);
+  VisibleSets all(town()), some(town());
+  std::size_t asked = 0, cars = 0;
+  for (int i = 0; i < 60; ++i) {
+    const culling::View view = any_view(random);
+    some.classes = static_cast<culling::ClassMask>(1U << (i % 5));  // of the host's, cars, nodes
+    find_visible(nodes, make_frustum(view), all);
+    find_visible(nodes, make_frustum(view), some);
+    std::set<std::uint32_t> wanted, found;
+    for (const auto& run : all.objects())
+      for (std::uint32_t o = run.first; o < run.last; ++o)
+        if ((of(o) & some.classes) != 0) wanted.insert(o);
+    for (const auto& run : some.objects())
+      for (std::uint32_t o = run.first; o < run.last; ++o) found.insert(o);
+    REQUIRE(found == wanted);
+    REQUIRE(some.nodes().size() == ((some.classes & kNode) != 0 ? all.nodes().size() : 0));
+    asked += found.size();
+    find_cars(town(), 0, all);
+    find_cars(town(), 0, some);
+    REQUIRE(some.cars.size() == ((some.classes & kCar) != 0 ? all.cars.size() : 0));
+    cars += some.cars.size();
+  }
+  CHECK(asked > 500);
+  CHECK(cars > 0);
+  CHECK(nodes.contains(node));
+}
+
 TEST_CASE("nodes: what is wrong is refused and nothing has changed") {
   Nodes nodes(town());
   const NodeId one = nodes.add({.mesh = block_mesh({1, 1, 1})});
