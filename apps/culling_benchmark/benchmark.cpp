@@ -16,6 +16,7 @@
 #include "apps/culling_benchmark/report_trade.h"
 #include "apps/culling_benchmark/rules.h"
 #include "apps/culling_benchmark/run.h"
+#include "apps/culling_benchmark/semantics.h"
 #include "apps/culling_benchmark/sharing.h"
 #include "apps/culling_benchmark/summary.h"
 #include "files/whole_file.h"
@@ -28,7 +29,7 @@ std::string columns_md() {
          "## summary.csv; front.csv has its rows that are best in the trade\n" +
          apps::explain(summary_columns()) + "\n## runs.csv\n" + apps::explain(run_columns()) +
          "\n## frames/CASE_PEER.csv (first process)\n" + apps::explain(frame_columns()) + paper_columns_md() +
-         extremes_columns_md() + cars_columns_md() + sharing_columns_md();
+         extremes_columns_md() + cars_columns_md() + sharing_columns_md() + semantics_columns_md();
 }
 
 /// What ended in the middle of writing a file leaves its part.
@@ -78,10 +79,24 @@ std::string sharing_section(const Options& options) {
   apps::ProgressBar bar(stderr);
   const SharingRun run = run_sharing({.seed = options.seed}, [&](double done) {
     apps::throw_if_interrupted();
-    bar.show("one query on all threads", done, apps::time_left(left.sharing * (1 - done) + left.cars + left.extremes));
+    bar.show("one query on all threads", done,
+             apps::time_left(left.sharing * (1 - done) + left.semantics + left.cars + left.extremes));
   });
   write_sharing(options.out, run);
   return sharing_md(run);
+}
+
+/// Empty when it is not asked for.
+std::string semantics_section(const Options& options) {
+  if (!with_semantics(options)) return {};
+  const Besides left = besides(options);
+  apps::ProgressBar bar(stderr);
+  const SemanticsRun run = run_semantics({.seed = options.seed}, [&](double done) {
+    apps::throw_if_interrupted();
+    bar.show("classes", done, apps::time_left(left.semantics * (1 - done) + left.cars + left.extremes));
+  });
+  write_semantics(options.out, run);
+  return semantics_md(run);
 }
 
 int time_all(const Options& options, const std::vector<std::string>& arguments) {
@@ -98,6 +113,7 @@ int time_all(const Options& options, const std::vector<std::string>& arguments) 
   std::filesystem::remove_all(truth_folder(options));
   const PaperPart paper = with_paper(options) ? measure_paper(options, arguments) : PaperPart{};
   std::string sections = sharing_section(options);
+  sections += semantics_section(options);
   sections += cars_section(options);
   sections += extremes_section(options, wrong);
   const auto plots = apps::draw_all(options.out, all_plots(options, table, paper));

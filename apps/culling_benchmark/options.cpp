@@ -49,6 +49,7 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
   app.add_flag("--quick", options.quick, "C2, 10k, 100k, 100k-cold and 1M-1km in a minute, one process");
   app.add_flag("--growth", options.growth, "the cases of growing cities, from 1 000 to 10 000 000 objects");
   app.add_flag("--cars", options.cars, "what 10 000 moving cars in view cost among 10 000 to 1 000 000");
+  app.add_flag("--semantics", options.semantics, "classes of objects filtered in the traversal and after it");
   app.add_flag("--trade", options.trade, "the cases of speed for accuracy: volumes and precisions");
   app.add_flag("--paper", options.paper, "the experiments of Pina 2009, drawn with OpenGL");
   app.add_flag("--extremes", options.extremes,

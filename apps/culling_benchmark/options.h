@@ -18,7 +18,8 @@ struct Options {
   std::vector<std::string> peers;  ///< slugs in the tables' order, bqr among them
   std::optional<int> frames;       ///< of the flight; without it the mode decides
   std::uint64_t seed = 1;
-  bool quick = false, growth = false, trade = false, paper = false, extremes = false, cars = false, list = false;
+  bool quick = false, growth = false, trade = false, paper = false, extremes = false, cars = false, semantics = false,
+       list = false;
   bool paper_process = false;  ///< this is the process that draws for `paper`
   int process = 0;  ///< 1, 2, ...: this is that process of a run, and tells its parent on stdout; 0: the parent
 };

@@ -51,7 +51,8 @@ std::string draw_in_child(const Options& options, const std::vector<std::string>
     if (line.starts_with("at ")) {
       const double done = std::stod(line.substr(3));
       const Besides left = besides(options);
-      bar.show("Pina 2009", done, apps::time_left(left.paper * (1 - done) + left.sharing + left.cars + left.extremes));
+      bar.show("Pina 2009", done,
+               apps::time_left(left.paper * (1 - done) + left.sharing + left.semantics + left.cars + left.extremes));
     }
     if (line.starts_with("cannot ")) why = line.substr(7);
   });

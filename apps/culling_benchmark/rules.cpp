@@ -12,7 +12,7 @@ bool is_million(const std::string& name) { return name.starts_with("1M"); }
 /// What to measure is left to the program.
 bool says_nothing(const Options& options) {
   return options.cases.empty() && !options.growth && !options.trade && !options.paper && !options.extremes &&
-         !options.cars;
+         !options.cars && !options.semantics;
 }
 
 /// What a case gets of a process, seconds: enough for six processes in less than half an hour. Cold cases are slow
@@ -60,12 +60,15 @@ bool with_extremes(const Options& options) { return options.extremes || (says_no
 
 bool with_cars(const Options& options) { return options.cars || (says_nothing(options) && !options.quick); }
 
+bool with_semantics(const Options& options) { return options.semantics || (says_nothing(options) && !options.quick); }
+
 bool with_paper(const Options& options) { return options.paper || (says_nothing(options) && !options.quick); }
 
 Besides besides(const Options& options) {
   const double paper = options.quick ? 50 : 450;
   return {.paper = with_paper(options) ? paper : 0.0,
           .sharing = with_growth(options) ? 40.0 : 0.0,
+          .semantics = with_semantics(options) ? 20.0 : 0.0,
           .cars = with_cars(options) ? 40.0 : 0.0,
           .extremes = with_extremes(options) ? 20.0 : 0.0};
 }

@@ -28,12 +28,13 @@ std::vector<std::string> cases_of(const Options& options);
 bool with_growth(const Options& options);
 bool with_extremes(const Options& options);
 bool with_cars(const Options& options);
+bool with_semantics(const Options& options);
 /// Whether the experiments of Pina 2009 are drawn.
 bool with_paper(const Options& options);
 
 /// The parts that follow the cases, in their order, and what each may take, seconds; 0: not wanted.
 struct Besides {
-  double paper = 0, sharing = 0, cars = 0, extremes = 0;
+  double paper = 0, sharing = 0, semantics = 0, cars = 0, extremes = 0;
 };
 Besides besides(const Options& options);
 

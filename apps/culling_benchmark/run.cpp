@@ -62,7 +62,7 @@ class Parent {
 
   void start(int process) {
     const Besides more = besides(options_);
-    seconds_after_ = more.paper + more.sharing + more.cars + more.extremes;
+    seconds_after_ = more.paper + more.sharing + more.semantics + more.cars + more.extremes;
     for (int later = process + 1; later <= rules_of(options_).processes; ++later)
       seconds_after_ += expected_seconds(options_, later, record_.rows());
     std::vector<std::string> command{"/proc/self/exe"};

@@ -112,7 +112,8 @@ Plants load_named_plants(const Options& options) {
 Imported load_city(const Options& options, Plants& plants) {
   const ImportOptions how{
       .seed = options.seed, .cars = options.cars, .lod = options.lod, .reference_system = options.reference_system};
-  if (is_baked(options.city) && options.more.empty() && options.tree_lists.empty()) return read_baked(options.city);
+  const bool alone = options.more.empty() && options.tree_lists.empty() && options.terrain.empty();
+  if (is_baked(options.city) && alone) return read_baked(options.city);
   std::optional<CityFeatures> all;
   if (is_ecosystem(options.city)) all = load_ecosystem(options, plants);
   apps::ProgressBar bar(stderr);
