@@ -51,7 +51,7 @@ TEST_CASE("bake program: a city is imported once and opened again") {
   const Ended ended = run_program(MANZANA_BAKE, folder.path(), {"import", "builtin:town", "--cars", "20", "-o", out});
   CAPTURE(ended.err);
   REQUIRE(ended.code == 0);
-  for (const char* said : {"city ", "blocks", "20 cars", "attributes ", "seconds "})
+  for (const char* said : {"city ", "blocks", "20 cars", "of attributes", "seconds "})
     CHECK_THAT(ended.out, Catch::Contains(said));
   CHECK(manzana::read_baked(out).scene.traffic.cars() == 20);
   const std::string first = read_all(out);
