@@ -139,13 +139,13 @@ class Draper {
 
 double Terrain::at(const Vec2d& plan) const {
   if (level()) return 0;
-  const auto [corner, share] = cell_of(*this, plan);
+  const InCell in = cell_of(*this, plan);
   const auto h = [&](std::size_t right, std::size_t up) {
-    return static_cast<double>(heights[corner + up * columns + right]);
+    return static_cast<double>(heights[in.corner + up * columns + right]);
   };
   const double low = h(0, 0), high = h(1, 1);
-  return share.x >= share.y ? low + share.x * (h(1, 0) - low) + share.y * (high - h(1, 0))
-                            : low + share.y * (h(0, 1) - low) + share.x * (high - h(0, 1));
+  return in.share.x >= in.share.y ? low + in.share.x * (h(1, 0) - low) + in.share.y * (high - h(1, 0))
+                                  : low + in.share.y * (h(0, 1) - low) + in.share.x * (high - h(0, 1));
 }
 
 Vec2d Terrain::slope_at(const Vec2d& plan) const {
