@@ -161,7 +161,7 @@ double ldm_cover(const LdmPack& pack, const LdmAlphas& alphas, std::uint32_t sid
 void fit_grown(LdmPack& pack, std::span<const LdmSeenFrom> seen) {
   if (pack.options.sides == LdmSides::paper) return;
   const LdmAlphas alphas(pack);
-  for (int level = 0; level < level_count(pack.options); ++level)
+  for (int level = pack.options.nearest; level < level_count(pack.options); ++level)
     pack.grown[static_cast<std::size_t>(level)] = fitted(pack, alphas, seen, level);
 }
 

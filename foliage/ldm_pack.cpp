@@ -47,7 +47,7 @@ void check(const LdmPack& pack) {
   const LdmOptions& o = pack.options;
   if (!sane(pack.centre) || !(pack.radius > 0 && pack.radius <= 1e6F)) fail("its ball is not finite");
   if (o.layers < 1 || o.sides > LdmSides::octahedral || !(o.focal_px > 0 && o.focal_px < 1e6) ||
-      !(o.nearest_radii > 1 && o.nearest_radii < 1e6))
+      !(o.nearest_radii > 1 && o.nearest_radii < 1e6) || o.nearest < 0 || o.nearest >= level_count(o))
     fail("its options are out of range");
   for (const float grown : pack.grown)
     if (!(std::abs(grown) <= 1)) fail("its mosaics grow out of range");

@@ -34,11 +34,12 @@ struct LdmOptions {
   float occlusion = 2;       ///< s: how much more may be wrong of what is hidden; 0: of nothing
   double focal_px = 935;     ///< of the screen that eta_d is meant for: 1080 rows, 60 degrees
   double nearest_radii = 2;  ///< distance of the nearest preset viewpoint, in radii: 1 / sin(60 degrees / 2)
+  int nearest = 0;           ///< level; finer ones, and their pictures, are not made
 };
 
 /// Levels of detail, each for twice the distance of the one before. The source has the first four, all of the same
 /// pictures, so that no tree is less than some 200 mosaics; the others have pictures of their own.
-inline constexpr int kLdmLevels = 6;
+inline constexpr int kLdmLevels = 7;
 
 /// What pictures levels [first, last) are made of.
 struct LdmPictures {
@@ -46,7 +47,7 @@ struct LdmPictures {
   int pixel;   ///< in finest pixels
   int layers;  ///< at most, of as many as divide those of the options
 };
-inline constexpr std::array<LdmPictures, 3> kLdmPictures{{{0, 4, 1, 64}, {4, 5, 4, 6}, {5, 6, 8, 3}}};
+inline constexpr std::array<LdmPictures, 4> kLdmPictures{{{0, 4, 1, 64}, {4, 5, 4, 6}, {5, 6, 8, 3}, {6, 7, 8, 1}}};
 
 inline int level_count(const LdmOptions& options) { return options.sides == LdmSides::paper ? 4 : kLdmLevels; }
 

@@ -9,12 +9,7 @@
 namespace manzana::foliage {
 namespace {
 
-/// A share of a tree: a side of its pack at one of its levels.
-struct Share {
-  std::uint32_t tree, side;
-  Run mosaics;
-  float low, high, grown;
-};
+using Share = LdmSelection::Share;
 
 /// As place_tree() of foliage/shaders/select.glsl.
 Vec4 row_of(const Vec4& axis, const TreeSite& site) {
@@ -29,12 +24,12 @@ LdmTree placed(const TreeSite& site, std::span<const Vec4> rows) {
   return {row_of(row[0], site), row_of(row[1], site), row_of(row[2], site), Vec3(0), site.hash};
 }
 
-/// From a place in the plant's frame to the eye, in that frame.
-Vec3 to_eye(const LdmTree& tree, const Vec3& from) {
-  const Mat3 linear(Vec3(tree.row_x.x, tree.row_y.x, tree.row_z.x), Vec3(tree.row_x.y, tree.row_y.y, tree.row_z.y),
-                    Vec3(tree.row_x.z, tree.row_y.z, tree.row_z.z));
-  const Vec3 foot(tree.row_x.w, tree.row_y.w, tree.row_z.w);
-  return -(glm::inverse(linear) * foot) - from;
+/// To the eye, in the plant's frame: rows of blocks are of unit length and across each other.
+Vec3 eye_of(const TreeSite& site, std::span<const Vec4> rows, const LdmTree& tree) {
+  const Vec4* row = &rows[std::size_t{3} * site.block];
+  const Vec3 eye = -(Vec3(row[0]) * tree.row_x.w + Vec3(row[1]) * tree.row_y.w + Vec3(row[2]) * tree.row_z.w);
+  const float c = site.turn.x, s = site.turn.y;
+  return {(eye.x * c + eye.y * s) / site.radius, (eye.y * c - eye.x * s) / site.radius, eye.z / site.height};
 }
 
 class Chooser {
@@ -42,49 +37,50 @@ class Chooser {
   Chooser(const LdmTable& table, const LdmSeen& seen, LdmSelection& selection)
       : table_(table), seen_(seen), out_(selection) {}
 
-  void add(std::uint32_t index) {
-    const TreeSite& site = seen_.sites[index];
-    const LdmPack& pack = table_.packs[site.plant];
+  void add(const LdmFar& far, std::uint32_t of_pack) {
+    const TreeSite& site = seen_.sites[far.site];
+    const LdmPack& pack = table_.packs[of_pack];
     const LdmTree tree = placed(site, seen_.block_rows);
-    const Vec3 eye = to_eye(tree, pack.centre);
+    const Vec3 eye = eye_of(site, seen_.block_rows, tree) - pack.centre;
     const float distance = glm::length(eye);
     if (!(distance > 0) || !std::isfinite(distance)) return;
     out_.trees.push_back(tree);
     if (pack.options.sides != LdmSides::paper) out_.trees.back().to_eye = eye / distance;
-    distances_.push_back(distance * std::max(site.radius, site.height));
+    out_.distances.push_back(distance * std::max(site.radius, site.height));
     const double like_preset = static_cast<double>(distance) * pack.options.focal_px / seen_.focal_px;
-    share_out(site.plant, ldm_weights(pack, eye), ldm_ring(pack, like_preset));
+    share_out(of_pack, far.share, ldm_weights(pack, eye), ldm_ring(pack, like_preset));
   }
 
   void write(bool sorted) {
-    for (std::size_t rank = 0; rank < ranks_.size(); ++rank) {
+    for (std::size_t rank = 0; rank < out_.shares.size(); ++rank) {
       const auto first = static_cast<std::uint32_t>(out_.groups.size());
       if (sorted)
-        std::stable_sort(ranks_[rank].begin(), ranks_[rank].end(),
-                         [&](const Share& a, const Share& b) { return distances_[a.tree] > distances_[b.tree]; });
-      for (const Share& share : ranks_[rank]) write(share);
+        std::stable_sort(out_.shares[rank].begin(), out_.shares[rank].end(), [&](const Share& a, const Share& b) {
+          return out_.distances[a.tree] > out_.distances[b.tree];
+        });
+      for (const Share& share : out_.shares[rank]) write(share);
       out_.ranks[rank] = {first, static_cast<std::uint32_t>(out_.groups.size())};
     }
   }
 
  private:
-  void share_out(std::uint32_t plant, const LdmWeights& weights, const LdmRing& ring) {
+  void share_out(std::uint32_t plant, float all, const LdmWeights& weights, const LdmRing& ring) {
     const auto tree = static_cast<std::uint32_t>(out_.trees.size() - 1);
     float low = 0;
     std::size_t rank = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       for (int step = 0; step < 2; ++step) {
-        const float weight = weights.weight[i] * (step == 0 ? 1 - ring.next : ring.next);
+        const float weight = all * weights.weight[i] * (step == 0 ? 1 - ring.next : ring.next);
         if (!(weight > 0)) continue;
         const LdmSide& side = table_.packs[plant].sides[weights.side[i]];
         Run run = side.mosaics[static_cast<std::size_t>(ring.level + step)];
         run.first += table_.first_mosaic[plant], run.last += table_.first_mosaic[plant];
-        ranks_[rank++].push_back({tree, table_.first_side[plant] + weights.side[i], run, low, low + weight,
-                                  table_.packs[plant].grown[static_cast<std::size_t>(ring.level + step)]});
+        out_.shares[rank++].push_back({tree, table_.first_side[plant] + weights.side[i], run, low, low + weight,
+                                       table_.packs[plant].grown[static_cast<std::size_t>(ring.level + step)]});
         low += weight;
       }
     }
-    if (rank > 0) ranks_[rank - 1].back().high = 1;  // whatever rounding left
+    if (rank > 0) out_.shares[rank - 1].back().high = all;  // whatever rounding left
   }
 
   void write(const Share& share) {
@@ -98,8 +94,6 @@ class Chooser {
   const LdmTable& table_;
   const LdmSeen& seen_;
   LdmSelection& out_;
-  std::vector<float> distances_;
-  std::array<std::vector<Share>, 6> ranks_;
 };
 
 LdmSideHead head_of(const LdmPack& pack, const LdmSide& side) {
@@ -132,15 +126,33 @@ LdmTable make_ldm_table(std::span<const LdmPack> packs) {
   return table;
 }
 
-void choose_ldm(const LdmTable& table, const LdmSeen& seen, bool sorted, LdmSelection& selection) {
+namespace {
+
+void clear(LdmSelection& selection) {
   selection.trees.clear();
   selection.items.clear();
   selection.groups.clear();
   selection.mosaics = 0;
+  selection.distances.clear();
+  for (auto& rank : selection.shares) rank.clear();
+}
+
+}  // namespace
+
+void choose_ldm(const LdmTable& table, const LdmSeen& seen, bool sorted, LdmSelection& selection) {
+  clear(selection);
   Chooser chooser(table, seen, selection);
   for (const Run& run : seen.runs)
-    for (std::uint32_t i = run.first; i < run.last; ++i) chooser.add(i);
+    for (std::uint32_t i = run.first; i < run.last; ++i) chooser.add({i}, seen.sites[i].plant);
   chooser.write(sorted);
+}
+
+void choose_ldm(const LdmTable& table, const LdmSeen& seen, std::span<const LdmFar> trees,
+                std::span<const std::uint32_t> packs, LdmSelection& selection) {
+  clear(selection);
+  Chooser chooser(table, seen, selection);
+  for (const LdmFar& tree : trees) chooser.add(tree, packs[seen.sites[tree.site].plant]);
+  chooser.write(false);
 }
 
 }  // namespace manzana::foliage

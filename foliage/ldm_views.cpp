@@ -117,7 +117,7 @@ float LdmZone::next(double distance) const {
 
 LdmRing ldm_ring(const LdmPack& pack, double distance) {
   const int levels = level_count(pack.options);
-  for (int level = 0; level + 1 < levels; ++level) {
+  for (int level = pack.options.nearest; level + 1 < levels; ++level) {
     const double end = pack.distance_of(level + 1);
     const float next = LdmZone(kZone * end, end).next(distance);
     if (next < 1) return {level, next};

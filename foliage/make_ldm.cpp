@@ -59,8 +59,9 @@ class Maker {
     const ParallelView view(towards, ball_.centre, ball_.radius, kLdmPixels);
     const LdmImage image = sample(view, pack_.options.layers);
     LdmSide& side = pack_.sides.emplace_back(LdmSide{view.towards(), view.right(), view.up(), {}});
-    for (const LdmPictures& pictures : kLdmPictures) {
-      if (pictures.first >= level_count(pack_.options)) continue;
+    for (LdmPictures pictures : kLdmPictures) {
+      pictures.first = std::max(pictures.first, pack_.options.nearest);
+      if (pictures.first >= std::min(pictures.last, level_count(pack_.options))) continue;
       const bool finest = pictures.pixel == 1;
       add_pictures(finest ? image : coarser(image, pictures.pixel, merged_layers(pictures)), pictures, side);
     }
@@ -193,7 +194,8 @@ class Maker {
 void check_options(const LdmOptions& o) {
   const bool sane = o.layers >= 1 && o.layers <= 64 && o.smallest >= 1 && o.smallest <= kLdmBlock &&
                     o.colour_delta >= 0 && o.disparity_px > 0 && o.occlusion >= 0 && std::isfinite(o.occlusion) &&
-                    o.focal_px > 0 && o.focal_px < 1e6 && o.nearest_radii > 1 && o.nearest_radii < 1e6;
+                    o.focal_px > 0 && o.focal_px < 1e6 && o.nearest_radii > 1 && o.nearest_radii < 1e6 && o.nearest >= 0 &&
+                    o.nearest < level_count(o);
   if (!sane) throw std::invalid_argument("options of a pack are out of range");
 }
 

@@ -44,11 +44,22 @@ draw::DrawOptions options_within_budget(const Stage& stage) {
   return options;
 }
 
+/// Packs that far trees asked for; true if there are new ones.
+bool add_packs(Stage& stage) {
+  bool added = false;
+  stage.packs.want(stage.renderer.packs_wanted());
+  while (auto made = stage.whole ? stage.packs.wait_and_take() : stage.packs.take()) {
+    stage.renderer.add_pack(made->plant, std::move(made->pack));
+    added = true;
+  }
+  return added;
+}
+
 }  // namespace
 
 Stage::Stage(const Scene& city, std::span<const foliage::PreparedPlant> plants, const draw::Quality& quality,
              draw::Size first_size)
-    : scene(city), renderer(city, plants, quality), sets(city), size(first_size) {
+    : scene(city), renderer(city, plants, quality), packs(plants), sets(city), size(first_size) {
   options.tree_error_px = quality.tree_error_px;
   options.tree_law = quality.tree_law;
   renderer.resize(size);
@@ -68,6 +79,7 @@ void apply(const Options& options, Stage& stage) {
   stage.tree_ms = options.tree_ms;
   if (options.tree_law) stage.options.tree_law = options.tree_law;
   stage.options.trees_by_node = options.trees_by_node;
+  stage.options.mosaics = options.packs;
   stage.options.wind = options.wind ? 1 : 0;
 }
 
@@ -81,7 +93,11 @@ FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {
   row.update_us = watch.lap() * 1e6;
   stage.options.seconds = seconds;
   stage.timer.begin();
-  const draw::FrameCounts counts = stage.renderer.draw(stage.scene, stage.sets, view, options_within_budget(stage));
+  draw::FrameCounts counts = stage.renderer.draw(stage.scene, stage.sets, view, options_within_budget(stage));
+  if (add_packs(stage) && stage.whole) {
+    watch.lap();
+    counts = stage.renderer.draw(stage.scene, stage.sets, view, options_within_budget(stage));
+  }
   stage.timer.end();
   if (stage.wait || must_wait(stage)) glFinish();
   row.draw_ms = watch.lap() * 1e3;

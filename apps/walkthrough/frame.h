@@ -6,6 +6,7 @@
 #include <span>
 
 #include "apps/walkthrough/frame_log.h"
+#include "apps/walkthrough/pack_maker.h"
 #include "foliage/time_budget.h"
 #include "gl/frame_timer.h"
 #include "scenegraph/draw/renderer.h"
@@ -22,11 +23,13 @@ struct Stage {
 
   const Scene& scene;
   draw::Renderer renderer;
+  PackMaker packs;
   VisibleSets sets;
   draw::Size size;
   Structure structure = Structure::bqr;
   draw::DrawOptions options;  ///< with options.frozen set, that view culls and `view` looks at it from outside
   bool wait = true;           ///< for the device at the end, so that draw_ms says all
+  bool whole = false;         ///< a frame waits for the packs that it asks for, so that two runs give equal pictures
   double tree_ms = 0;         ///< of a frame, that trees' vertices are kept to; 0: no limit
   foliage::TimeBudget time_budget;
   gl::FrameTimer timer;  ///< of the GPU; where there is none, frames are waited for and timed as a whole

@@ -69,6 +69,7 @@ void run_headless(const Options& options, const Imported& city, std::span<const 
   const auto quality = options.quality.empty() ? draw::quality_for(renderer) : draw::quality_named(options.quality);
   Stage stage(city.scene, plants, quality, options.size);
   apply(options, stage);
+  stage.whole = true;
   const std::vector<FrameRow> rows = draw_path(options, stage, path);
   const RunFacts facts{renderer, quality.name, path.name, largest_memory_mb()};
   files::write_whole(options.out / "frames.csv", to_csv(rows));

@@ -163,6 +163,7 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
                  "how trees lose detail: ours, as a source does, or full for all of it; without it the quality\n"
                  "decides")
       ->check(CLI::IsMember(law_names()));
+  app.add_flag("!--no-packs", options.packs, "far trees are drawn as near ones are, not as mosaics of their species");
   app.add_flag("!--no-wind", options.wind, "trees stand still");
   app.add_option("--dispatch", texts.dispatch, "batched: all trees at once; node: each visible node's for itself")
       ->check(CLI::IsMember({"batched", "node"}))

@@ -43,7 +43,7 @@ struct Options {
   std::optional<double> tree_error_px;  ///< without it the quality decides
   double tree_vertices = 0, tree_ms = 0;
   std::optional<foliage::Law> tree_law;  ///< the same
-  bool trees_by_node = false, wind = true;
+  bool trees_by_node = false, wind = true, packs = true;
 };
 
 using Parsed = apps::Parsed<Options>;

@@ -9,12 +9,13 @@
 namespace manzana::foliage {
 namespace {
 
-enum LdmBinding : GLuint { kTrees = 2, kItems, kGroups, kSides, kBlocks, kMosaics };
+// Those of plants that only extraction asks for.
+enum LdmBinding : GLuint { kTrees = 4, kItems, kGroups, kSides, kBlocks = 10, kMosaics };
 constexpr std::uint32_t kGroupsOfDraw = 8192;
 
 gl::Program make_program(const char* name, const HostShaders& host, const gl::Pieces& ways) {
   using namespace shaders;
-  gl::Pieces vertex{version_glsl, hash_glsl, ldm_layout_glsl, ldm_turn_glsl}, pixels{version_glsl, hash_glsl, ldm_glsl};
+  gl::Pieces vertex{version_glsl, hash_glsl, ldm_layout_glsl, ldm_turn_glsl}, pixels{version_glsl, hash_glsl, tree_share_glsl, ldm_glsl};
   vertex.insert(vertex.end(), host.vertex.begin(), host.vertex.end());
   vertex.push_back(ldm_vert);
   pixels.insert(pixels.end(), ways.begin(), ways.end());
@@ -46,6 +47,8 @@ LdmDrawer::LdmDrawer(std::span<const LdmPack> packs, const HostShaders& dithered
       indices_(make_quad_indices(kGroupsOfDraw * glsl::kLdmGroup)) {
   array_ = gl::make_vertex_array(indices_);
 }
+
+void LdmDrawer::show(std::span<const LdmPack> packs) { store_ = LdmStore(packs); }
 
 void LdmDrawer::begin(const gl::Program& program, const LdmSelection& chosen) {
   glUseProgram(program.name());

@@ -13,6 +13,8 @@ class LdmDrawer {
   /// The packs must outlive it. Throws std::runtime_error when a shader does not compile or the device has no room.
   LdmDrawer(std::span<const LdmPack> packs, const HostShaders& dithered, const HostShaders& blended);
 
+  /// These from now on.
+  void show(std::span<const LdmPack> packs);
   const LdmStore& store() const { return store_; }
 
   /// Into the bound framebuffer, with its depth, in any order: every sample shows one side and level of a tree.

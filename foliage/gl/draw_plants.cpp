@@ -6,14 +6,14 @@
 namespace manzana::foliage {
 namespace {
 
-gl::Program make_program(std::string_view name, const HostShaders& host, const gl::Pieces& main, std::string_view cover,
+gl::Program make_program(std::string_view name, const HostShaders& host, const gl::Pieces& main,
                          const gl::Pieces& fragment) {
   using namespace shaders;
   gl::Pieces vertex{version_glsl, select_layout_glsl, extract_glsl, hash_glsl};
   vertex.insert(vertex.end(), host.vertex.begin(), host.vertex.end());
   vertex.insert(vertex.end(), {packed_normal_glsl, plant_glsl});
   vertex.insert(vertex.end(), main.begin(), main.end());
-  gl::Pieces pixels{version_glsl, cover};
+  gl::Pieces pixels{version_glsl, hash_glsl, tree_share_glsl, cover_glsl, plant_share_glsl};
   pixels.insert(pixels.end(), fragment.begin(), fragment.end());
   return gl::make_program(name, vertex, pixels);
 }
@@ -42,10 +42,9 @@ gl::Buffer make_quad_indices(std::uint32_t quads) {
 }
 
 PlantPrograms::PlantPrograms(const HostShaders& host)
-    : quads(make_program("plant_quads", host, {shaders::plant_quad_glsl, shaders::plant_quads_vert},
-                         shaders::cover_glsl, host.quads)),
-      lines(make_program("plant_lines", host, {shaders::plant_lines_vert}, shaders::cover_glsl, host.lines)),
-      points(make_program("plant_points", host, {shaders::plant_points_vert}, shaders::cover_glsl, host.points)),
+    : quads(make_program("plant_quads", host, {shaders::plant_quad_glsl, shaders::plant_quads_vert}, host.quads)),
+      lines(make_program("plant_lines", host, {shaders::plant_lines_vert}, host.lines)),
+      points(make_program("plant_points", host, {shaders::plant_points_vert}, host.points)),
       indices(make_quad_indices(glsl::kQuadsOfDraw)) {
   array = gl::make_vertex_array(indices);
 }

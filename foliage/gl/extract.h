@@ -29,7 +29,7 @@ struct ExtractLimits {
 
 constexpr std::uint32_t kMostCells = 65535 * 64;  // of one dispatch, on every device
 
-/// Rows of sites, in a buffer of uint.
+/// Rows of sites, in a buffer of uint; their upper byte says how many 255ths of a tree mosaics show (ldm_select.h).
 struct TreesInView {
   GLuint buffer = 0;
   GLintptr offset = 0;

@@ -19,9 +19,9 @@ constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 28;
 template <class Pack, class Visit>
 void each_field(Pack& pack, Visit&& visit) {
   auto& [options, centre, radius, grown, sides, blocks, mosaics, colour, surface] = pack;
-  auto& [kind, layers, smallest, colour_delta, disparity_px, occlusion, focal_px, nearest_radii] = options;
+  auto& [kind, layers, smallest, colour_delta, disparity_px, occlusion, focal_px, nearest_radii, nearest] = options;
   const auto all = [&](auto&... fields) { (visit(fields), ...); };
-  all(kind, layers, smallest, colour_delta, disparity_px, occlusion, focal_px, nearest_radii);
+  all(kind, layers, smallest, colour_delta, disparity_px, occlusion, focal_px, nearest_radii, nearest);
   all(centre, radius, grown, sides, blocks, mosaics, colour, surface);
 }
 

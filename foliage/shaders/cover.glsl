@@ -2,18 +2,22 @@
 // and pixel, so that leaves behind each other add up, as they do not where equal alpha means equal samples.
 layout(location = 1) uniform uint samples;
 
+uint tree_samples();
+
 // [Jimenez 2014, "Next generation post processing in Call of Duty", interleaved gradient noise]
 float pixel_noise(uint hash) {
   float grid = 52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)));
   return fract(grid + float(hash & 0xffffu) * (1.0 / 65536.0));
 }
 
+// Of the samples those that are the tree's own: tree_samples().
 void cover(float alpha, uint hash) {
   float noise = pixel_noise(hash);
   uint n = min(uint(alpha * float(samples) + noise), samples);
-  if (n == 0u) discard;
   uint first = (hash >> 16u) % samples, mask = ((1u << n) - 1u) << first;
-  if (samples > 1u) gl_SampleMask[0] = int((mask | (mask >> samples)) & ((1u << samples) - 1u));
+  mask = (mask | (mask >> samples)) & ((1u << samples) - 1u) & tree_samples();
+  if (mask == 0u) discard;
+  if (samples > 1u) gl_SampleMask[0] = int(mask);
 }
 
 // How far a picture of so many texels is from being seen sharply: 0 while its leaves are larger than a few pixels, 1

@@ -5,12 +5,12 @@ struct LdmBlock {
 struct LdmMosaic {
   uint block_depth, box;
 };
-layout(std430, binding = 2) readonly buffer LdmTrees { LdmTree ldm_trees[]; };
-layout(std430, binding = 3) readonly buffer LdmItems { LdmItem ldm_items[]; };
-layout(std430, binding = 4) readonly buffer LdmGroups { uvec2 ldm_groups[]; };
-layout(std430, binding = 5) readonly buffer LdmSides { LdmSideHead ldm_sides[]; };
-layout(std430, binding = 6) readonly buffer LdmBlocks { LdmBlock ldm_blocks[]; };
-layout(std430, binding = 7) readonly buffer LdmMosaics { LdmMosaic ldm_mosaics[]; };
+layout(std430, binding = 4) readonly buffer LdmTrees { LdmTree ldm_trees[]; };
+layout(std430, binding = 5) readonly buffer LdmItems { LdmItem ldm_items[]; };
+layout(std430, binding = 6) readonly buffer LdmGroups { uvec2 ldm_groups[]; };
+layout(std430, binding = 7) readonly buffer LdmSides { LdmSideHead ldm_sides[]; };
+layout(std430, binding = 10) readonly buffer LdmBlocks { LdmBlock ldm_blocks[]; };
+layout(std430, binding = 11) readonly buffer LdmMosaics { LdmMosaic ldm_mosaics[]; };
 
 layout(location = 0) out vec3 out_rel;
 layout(location = 1) out vec2 out_texel;  // of the page

@@ -4,11 +4,6 @@ layout(location = 1) uniform uint samples;
 
 const uint kTile = 8u;
 
-float pixel_number(uint hash) {
-  uvec2 at = uvec2(gl_FragCoord.xy);
-  return fraction_of(mixed(hash + mixed(at.x + mixed(at.y))));
-}
-
 // Spread more evenly over neighbours; shifted anew for every few pixels, so that two mosaics hide as much of each other
 // as chance would have it.  [Jimenez 2014, interleaved gradient noise]
 float even_number(uint hash) {
@@ -22,7 +17,7 @@ uint shown_samples(float alpha) {
   float choice = pixel_number(ldm_hash.x), covered = even_number(ldm_hash.y);
   uint mask = 0u, turn = ldm_hash.y >> 7u;
   for (uint s = 0u; s < samples; ++s) {
-    float part = fract(choice + float(s) / float(samples));
+    float part = sample_number(choice, s, samples);
     float cut = (float((s * 3u + turn) % samples) + covered) / float(samples);
     if (part >= ldm_share.x && part < ldm_share.y && cut < alpha) mask |= 1u << s;
   }

@@ -6,6 +6,8 @@ layout(location = 3) flat in uint hash;
 layout(location = 0) out vec4 colour;
 layout(location = 1) out vec4 surface;
 
+uint tree_samples() { return ~0u; }
+
 layout(binding = 0) uniform sampler2DArray images;
 
 vec2 octahedral(vec3 v) {

@@ -45,4 +45,7 @@ vec3 turn_normal(TreeRecord tree, uint bits) {
   return normalize(vec3(dot(tree.row_x.xyz, n), dot(tree.row_y.xyz, n), dot(tree.row_z.xyz, n)));
 }
 
+// Its hash; how much of it mosaics show, 255ths.
+uvec2 share_of(TreeRecord tree) { return uvec2(tree.hash, tree.site >> kShareShift); }
+
 float tint_of(TreeRecord tree) { return float(tree.hash & 255u) * (1.0 / 255.0); }

@@ -10,6 +10,7 @@ layout(binding = 0) uniform sampler2DArray plants_images;
 layout(location = 0) out vec4 out_light;  // alpha
 layout(location = 1) out vec3 out_air;
 layout(location = 2) flat out uint out_hash;
+layout(location = 7) flat out uvec2 out_share;
 
 void main() {
   uint slot = uint(gl_VertexID) >> 2u, corner = uint(gl_VertexID) & 3u;
@@ -19,10 +20,12 @@ void main() {
   out_light = vec4(0.0);
   out_air = vec3(0.0);
   out_hash = 0u;
+  out_share = uvec2(0u);
   gl_Position = kNowhere;
   if (rank >= item.count) return;
   LineSegment line = lines[item.first + rank];
   TreeRecord tree = trees[item.record];
+  out_share = share_of(tree);
   vec4 end = corner == 1u || corner == 2u ? line.b : line.a;
   uint level = min(line.rest.y, 3u) << 30u;
   vec3 a = swayed(tree, line.a.xyz, level), b = swayed(tree, line.b.xyz, level), rel = swayed(tree, end.xyz, level);

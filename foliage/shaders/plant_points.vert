@@ -8,6 +8,7 @@ layout(std430, binding = 17) readonly buffer Points { LeafPoint points[]; };
 layout(location = 0) out vec3 out_colour;
 layout(location = 1) flat out float out_alpha;
 layout(location = 2) flat out uint out_hash;
+layout(location = 7) flat out uvec2 out_share;
 
 void main() {
   uint slot = uint(gl_VertexID);
@@ -17,11 +18,13 @@ void main() {
   out_colour = vec3(0.0);
   out_alpha = 0.0;
   out_hash = 0u;
+  out_share = uvec2(0u);
   gl_Position = kNowhere;
   gl_PointSize = 1.0;
   if (rank >= item.count) return;
   LeafPoint point = points[item.first + rank];
   TreeRecord tree = trees[item.record];
+  out_share = share_of(tree);
   vec3 rel = swayed(tree, point.position_area.xyz, point.rest.x);
   vec2 s = scales2(tree);
   float pixels = point.position_area.w * item.scale * sqrt(s.x * s.y) * focal_px * focal_px / dot(rel, rel);

@@ -218,7 +218,7 @@ uint view_share(uint plant, uint cell, uint direction) {
 float visible_share(TreeRecord tree, uint index, float hidden) {
   uint plant = tree.plant, side = plants[plant].view_side;
   if (side == 0u || hidden <= 0.0f) return 1.0f;
-  TreeSite site = sites[tree.site];
+  TreeSite site = sites[tree.site & ((1u << kShareShift) - 1u)];
   vec3 middle = middle_of(tree);
   precise float r2 = squared(middle) * site.inv_scale2;
   precise float outside = (r2 - plants[plant].near2) * plants[plant].per_near2;

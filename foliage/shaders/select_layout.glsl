@@ -61,10 +61,13 @@ struct CellHead {
   uint spare0, spare1, spare2;
 };
 
+const uint kShareShift = 24u, kAllMosaics = 255u;
+
 // A tree in view, placed: p -> dot(row, vec4(p, 1)), relative to the eye.
 struct TreeRecord {
   vec4 row_x, row_y, row_z;
-  uint site, plant, hash;
+  uint site;  // its row; from kShareShift on: how much of it mosaics show instead, 255ths
+  uint plant, hash;
   float error2_from_1m;  // what may be wrong of it a metre away: squared metres of its natural size
 };
 

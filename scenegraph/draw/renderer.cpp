@@ -230,8 +230,9 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
   s.upload_frame(sets, frame);
   if (options.layers.trees) {
     const double error_px = options.tree_error_px > 0 ? options.tree_error_px : s.quality.tree_error_px;
-    const TreeDetail detail{options.tree_law.value_or(s.quality.tree_law), error_px / f_px, options.tree_vertices,
-                            options.trees_by_node};
+    const foliage::Law law = options.tree_law.value_or(s.quality.tree_law);
+    const TreeDetail detail{law, error_px / f_px, options.tree_vertices,
+                            options.mosaics && law == foliage::Law::ours, options.trees_by_node};
     extract_trees(s.trees, scene.trees, sets.objects(), s.rows, detail, s.stream);
     counts.tree_error_px = s.trees.law == foliage::Law::full ? 0 : s.trees.error_at_1m * f_px;
     counts.tree_law = s.trees.law;
@@ -241,6 +242,12 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
   gl::resolve(s.target());
   s.stream.end();
   return counts;
+}
+
+std::span<const std::uint32_t> Renderer::packs_wanted() const { return state_->trees.far.wanted; }
+
+void Renderer::add_pack(std::uint32_t plant, foliage::LdmPack pack) {
+  draw::add_pack(state_->trees.far, plant, std::move(pack));
 }
 
 foliage::Shown Renderer::trees_shown() const { return newest_shown(state_->trees); }

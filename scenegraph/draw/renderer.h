@@ -15,6 +15,7 @@
 
 #include "culling/frustum.h"
 #include "foliage/detail.h"
+#include "foliage/ldm_pack.h"
 #include "scenegraph/draw/camera.h"
 #include "scenegraph/scene.h"
 #include "scenegraph/visible.h"
@@ -45,6 +46,7 @@ struct DrawOptions {
   double tree_vertices = 0;      ///< at most so many in all trees: the error grows until they suffice; 0: no limit
   std::optional<foliage::Law> tree_law = {};  ///< none: the quality's
   bool trees_by_node = false;    ///< each visible node dispatches its own extraction: same picture, for comparison
+  bool mosaics = true;           ///< far trees as mosaics, of those plants that have a pack: packs_wanted()
   double wind = 0;               ///< strength, 0 to 1
   double seconds = 0;            ///< of the wind
   double fog_distance_m = 4000;  ///< where half of the light is the air's
@@ -54,7 +56,7 @@ struct DrawOptions {
 };
 
 struct FrameCounts {
-  std::uint64_t triangles = 0;  ///< submitted; without trees, which the GPU chooses
+  std::uint64_t triangles = 0;  ///< submitted; of trees mosaics alone: the GPU chooses the others
   std::uint64_t buildings = 0, surfaces = 0, trees = 0, cars = 0, nodes = 0;
   std::uint64_t commands = 0;  ///< of multi-draws
   double tree_error_px = 0;    ///< that was tolerated in trees, after the budget and what memory has room for
@@ -110,6 +112,10 @@ class Renderer {
   FrameCounts draw(const Scene& scene, const VisibleSets& sets, const culling::View& view, const DrawOptions& options) {
     return draw(scene, sets, camera_of(view), options);
   }
+  /// Plants without a pack whose trees were small in the last picture: foliage/make_ldm.h makes packs, of kFarPack
+  /// (far_trees.h), anywhere and any time; until then their trees are drawn as near ones are.
+  std::span<const std::uint32_t> packs_wanted() const;
+  void add_pack(std::uint32_t plant, foliage::LdmPack pack);
   /// What was drawn of trees, by the newest frame that the GPU has finished: the last one after glFinish.
   foliage::Shown trees_shown() const;
   void present(unsigned framebuffer);  ///< copies the picture there, same size, at (0, 0)

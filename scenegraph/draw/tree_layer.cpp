@@ -2,7 +2,6 @@
 
 #include <cassert>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 #include "manzana_draw_shaders.h"
@@ -38,7 +37,7 @@ void choose_detail(TreeLayerGpu& layer, std::span<const Vec4> rows, const TreeDe
   if (layer.asked.law != detail.law) layer.asked = make_tables(layer, detail.law);
   const foliage::Budget budget{.vertices = detail.vertices, .room = foliage::room_of(layer.extractor.capacity)};
   const auto error_with = [&](TreeLayerGpu::Tables& tables) {
-    const foliage::TreesSeen seen{layer.sites, rows, layer.runs, detail.error_at_1m, heeds_neighbours(tables.law)};
+    const foliage::TreesSeen seen{layer.sites, rows, layer.far.near, detail.error_at_1m, heeds_neighbours(tables.law)};
     return error_for(tables.costs, layer.store.table, seen, budget);
   };
   TreeLayerGpu::Tables* tables = &layer.asked;
@@ -64,14 +63,12 @@ void find_runs(const TreeLayer& trees, std::span<const culling::ObjectRun> objec
   }
 }
 
-foliage::TreesInView write_rows(std::span<const foliage::Run> runs, std::size_t most, gl::StreamBuffer& stream) {
-  const auto out = stream.take<GLuint>(most);
-  foliage::TreesInView view{.buffer = stream.name(), .offset = out.offset};
-  for (const foliage::Run& run : runs) {
-    std::iota(out.items + view.trees, out.items + view.trees + run.size(), run.first);
-    view.trees += run.size();
-  }
-  return view;
+foliage::TreesInView write_rows(TreeLayerGpu& layer, std::span<const Vec4> rows, const TreeDetail& detail,
+                                gl::StreamBuffer& stream) {
+  const auto out = stream.take<GLuint>(layer.sites.size());
+  const foliage::TreesSeen seen{layer.sites, rows, layer.runs, detail.error_at_1m};
+  const std::uint32_t trees = split_trees(layer.far, {layer.store.table, seen, detail.mosaics}, out.items);
+  return {.buffer = stream.name(), .offset = out.offset, .trees = trees};
 }
 
 }  // namespace
@@ -108,7 +105,9 @@ TreeLayerGpu::TreeLayerGpu(const Scene& scene, std::span<const foliage::Prepared
       sites(tree_sites(scene, prepared)),
       extractor(sites, limits),
       programs(plant_shaders()),
-      shadows(make_shadow("shadow_tree", shaders::shadow_tree_vert)) {
+      shadows(make_shadow("shadow_tree", shaders::shadow_tree_vert)),
+      far(plants.size(), plant_shaders()) {
+  if (sites.size() > 1U << foliage::glsl::kShareShift) throw std::runtime_error("more trees than can be drawn");
   asked = ours = make_tables(*this, foliage::Law::ours);
   runs.reserve(sites.size());
 }
@@ -133,8 +132,8 @@ void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const 
                    std::span<const Rows> blocks, const TreeDetail& detail, gl::StreamBuffer& stream) {
   find_runs(trees, objects, detail.by_node, layer.runs);
   const std::span<const Vec4> rows(blocks.empty() ? nullptr : blocks.front().data(), blocks.size() * 3);
+  foliage::TreesInView view = write_rows(layer, rows, detail, stream);
   choose_detail(layer, rows, detail);
-  foliage::TreesInView view = write_rows(layer.runs, layer.sites.size(), stream);
   view.error_at_1m = layer.error_at_1m;
   view.heed_neighbours = heeds_neighbours(layer.law);
   layer.trees_in_view = view.trees;
@@ -145,10 +144,10 @@ void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const 
     extract(layer.extractor, layer.store, view);
 }
 
-Drawn draw_trees(const TreeLayerGpu& layer, const foliage::DrawPlantsOptions& options) {
+Drawn draw_trees(TreeLayerGpu& layer, const foliage::DrawPlantsOptions& options) {
   if (layer.trees_in_view == 0) return {};
   draw_plants(layer.programs, layer.store, layer.extractor, options);
-  return {0, 3};
+  return {2 * draw_far_trees(layer.far, options.samples), 3};
 }
 
 Drawn draw_tree_shadows(const TreeLayerGpu& layer) {

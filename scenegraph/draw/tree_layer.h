@@ -3,6 +3,7 @@
 #include "foliage/budget.h"
 #include "foliage/detail.h"
 #include "foliage/gl/draw_plants.h"
+#include "scenegraph/draw/far_trees.h"
 #include "scenegraph/draw/instances.h"
 #include "scenegraph/draw/renderer.h"
 
@@ -25,6 +26,7 @@ struct TreeLayerGpu {
   foliage::Extractor extractor;
   foliage::PlantPrograms programs;
   gl::Program shadows;
+  FarTrees far;
   struct Tables {
     foliage::Law law = foliage::Law::ours;
     std::vector<foliage::Detail> details;
@@ -41,6 +43,7 @@ struct TreeDetail {
   foliage::Law law = foliage::Law::ours;
   double error_at_1m = 0.001;  ///< error in pixels / focal length in pixels
   double vertices = 0;         ///< a budget that may raise it; 0: none
+  bool mosaics = false;        ///< trees that are small are shown by their species' packs, where there are some
   bool by_node = false;        ///< each visible node's trees in dispatches of their own; else all at once
 };
 
@@ -50,7 +53,7 @@ std::size_t device_bytes_of(const TreeLayerGpu& layer);
 /// Once a frame, with the blocks' rows, relative to the eye, bound. `objects`: runs of the tree's.
 void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const culling::ObjectRun> objects,
                    std::span<const Rows> blocks, const TreeDetail& detail, gl::StreamBuffer& stream);
-Drawn draw_trees(const TreeLayerGpu& layer, const foliage::DrawPlantsOptions& options);
+Drawn draw_trees(TreeLayerGpu& layer, const foliage::DrawPlantsOptions& options);
 /// Soft dark ground under the trees, over the surfaces.
 Drawn draw_tree_shadows(const TreeLayerGpu& layer);
 

@@ -194,7 +194,7 @@ TEST_CASE("what is hidden may be coarser") {
   CHECK(plain.aware == plain.adaptive);
   CHECK(aware.adaptive == plain.adaptive);
   CHECK(aware.aware < aware.adaptive);
-  CHECK(aware.raw == 18.0 * (6 * 256 * 256 + 6 * 64 * 64 + 3 * 32 * 32));
+  CHECK(aware.raw == 18.0 * (6 * 256 * 256 + 6 * 64 * 64 + (3 + 1) * 32 * 32));
 }
 
 TEST_CASE("normals of texels come back") {
@@ -358,6 +358,20 @@ TEST_CASE("a plant of nothing is a pack of nothing") {
   CHECK(pack.sides.size() == 18);
 }
 
+TEST_CASE("a pack of far levels alone is the far levels of a whole one") {
+  constexpr int kNearest = 4;
+  const LdmPack whole = pack_of_blobs(), far = pack_of_blobs({.nearest = kNearest});
+  CHECK(5 * far.pages() < whole.pages());
+  for (std::size_t side = 0; side < far.sides.size(); ++side)
+    for (std::size_t level = 0; level < kLdmLevels; ++level) {
+      const Run a = whole.sides[side].mosaics[level], b = far.sides[side].mosaics[level];
+      CHECK(b.size() == (level < kNearest ? 0 : a.size()));
+    }
+  CHECK(far.grown[5] == whole.grown[5]);
+  CHECK(ldm_ring(far, 1).level == kNearest);
+  CHECK(ldm_ring(far, 1e9).level == kLdmLevels - 1);
+}
+
 TEST_CASE("packs that would be drawn from elsewhere are refused") {
   const LdmPack good = pack_of_blobs();
   const auto refuses = [&](auto&& spoil) {
@@ -380,6 +394,7 @@ TEST_CASE("packs that would be drawn from elsewhere are refused") {
   refuses([](LdmPack& p) { p.mosaics[5].block = 65535; });
   refuses([](LdmPack& p) { p.colour.pop_back(); });
   refuses([](LdmPack& p) { p.options.layers = 0; });
+  refuses([](LdmPack& p) { p.options.nearest = kLdmLevels; });
   CHECK_THROWS_AS(pack_of_blobs({.layers = 0}), std::invalid_argument);
   CHECK_THROWS_AS(pack_of_blobs({.nearest_radii = 1}), std::invalid_argument);
 }

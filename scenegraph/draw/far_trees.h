@@ -1,0 +1,48 @@
+#pragma once
+/// Trees that are small in the picture, as mosaics of their species' packs (foliage/ldm_pack.h).
+///   split_trees(far, seen, words);     // each frame: which are near, which far, how much of those in between
+///   draw_far_trees(far, samples);
+/// Where one way gives way to the other each sample of a pixel shows one of them, so nothing is drawn twice and a crown
+/// covers as much.
+#include <memory>
+
+#include "foliage/gl/draw_ldm.h"
+
+namespace manzana::draw {
+
+/// Pictures from this level on are all that trees so small ask for.
+inline constexpr foliage::LdmOptions kFarPack{.nearest = 4};
+
+/// Heights in tolerated errors (pixels, where one may be wrong). An oak of 16 or 24 is truer to all detail as 9 or 50
+/// triangles of mosaics (SSIM 0.94 and 0.91) than as 470 or 1 550 primitives of our law (0.89 and 0.86); at 48 it is
+/// not.
+inline constexpr double kAllMosaics = 24, kNoMosaics = 30;
+
+struct FarTrees {
+  static constexpr std::uint32_t kNone = ~0U;
+  explicit FarTrees(std::size_t plants, const foliage::HostShaders& host);
+
+  std::vector<foliage::LdmPack> packs;
+  std::vector<std::uint32_t> pack_of;  ///< of each plant; kNone: its trees stay what they are
+  std::vector<std::uint32_t> wanted;   ///< plants without a pack, of which far trees were seen in the last frame
+  std::unique_ptr<foliage::LdmDrawer> drawer;
+  // Of the frame at hand.
+  std::vector<foliage::Run> near;      ///< sites of which plants show a part
+  std::vector<foliage::LdmFar> trees;  ///< of which mosaics do
+  foliage::LdmSelection chosen;
+};
+
+void add_pack(FarTrees& far, std::uint32_t plant, foliage::LdmPack pack);
+
+struct TreesToSplit {
+  const foliage::PlantTable& table;
+  const foliage::TreesSeen& seen;
+  bool mosaics = true;  ///< else all are near
+};
+/// Writes rows of visible sites as foliage/gl/extract.h wants them; returns how many.
+std::uint32_t split_trees(FarTrees& far, const TreesToSplit& trees, std::uint32_t* words);
+
+/// As split_trees() left them. Returns mosaics.
+std::uint64_t draw_far_trees(FarTrees& far, int samples);
+
+}  // namespace manzana::draw
