@@ -117,6 +117,7 @@ LdmTable make_ldm_table(std::span<const LdmPack> packs) {
     for (const LdmSide& side : pack.sides) {
       LdmSideHead& head = table.sides.emplace_back(head_of(pack, side));
       head.first_block = blocks;
+      head.number = static_cast<std::uint32_t>(table.sides.size() - 1) - table.first_side.back();
       head.first_page = pages;
     }
     mosaics += static_cast<std::uint32_t>(pack.mosaics.size());

@@ -47,8 +47,9 @@ draw::DrawOptions options_within_budget(const Stage& stage) {
 /// Packs that far trees asked for; true if there are new ones.
 bool add_packs(Stage& stage) {
   bool added = false;
-  stage.packs.want(stage.renderer.packs_wanted());
-  while (auto made = stage.whole ? stage.packs.wait_and_take() : stage.packs.take()) {
+  if (!stage.packs) return added;
+  stage.packs->want(stage.renderer.packs_wanted());
+  while (auto made = stage.whole ? stage.packs->wait_and_take() : stage.packs->take()) {
     stage.renderer.add_pack(made->plant, std::move(made->pack));
     added = true;
   }
@@ -59,7 +60,7 @@ bool add_packs(Stage& stage) {
 
 Stage::Stage(const Scene& city, std::span<const foliage::PreparedPlant> plants, const draw::Quality& quality,
              draw::Size first_size)
-    : scene(city), renderer(city, plants, quality), packs(plants), sets(city), size(first_size) {
+    : scene(city), renderer(city, plants, quality), sets(city), size(first_size) {
   options.tree_error_px = quality.tree_error_px;
   options.tree_law = quality.tree_law;
   renderer.resize(size);
@@ -79,7 +80,6 @@ void apply(const Options& options, Stage& stage) {
   stage.tree_ms = options.tree_ms;
   if (options.tree_law) stage.options.tree_law = options.tree_law;
   stage.options.trees_by_node = options.trees_by_node;
-  stage.options.mosaics = options.packs;
   stage.options.wind = options.wind ? 1 : 0;
 }
 

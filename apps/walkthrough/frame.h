@@ -3,6 +3,7 @@
 ///   Stage stage(scene, plants, quality, {1280, 720});
 ///   FrameRow row = draw_frame(stage, view_of(scene.frame, pose, aspect), seconds);
 ///   stage.renderer.present(0);
+#include <optional>
 #include <span>
 
 #include "apps/walkthrough/frame_log.h"
@@ -23,14 +24,14 @@ struct Stage {
 
   const Scene& scene;
   draw::Renderer renderer;
-  PackMaker packs;
   VisibleSets sets;
   draw::Size size;
   Structure structure = Structure::bqr;
-  draw::DrawOptions options;  ///< with options.frozen set, that view culls and `view` looks at it from outside
-  bool wait = true;           ///< for the device at the end, so that draw_ms says all
-  bool whole = false;         ///< a frame waits for the packs that it asks for, so that two runs give equal pictures
-  double tree_ms = 0;         ///< of a frame, that trees' vertices are kept to; 0: no limit
+  draw::DrawOptions options;       ///< with options.frozen set, that view culls and `view` looks at it from outside
+  bool wait = true;                ///< for the device at the end, so that draw_ms says all
+  std::optional<PackMaker> packs;  ///< of far trees; none: they are drawn as near ones are
+  bool whole = false;  ///< a frame waits for the packs that it asks for, so that two runs give equal pictures
+  double tree_ms = 0;  ///< of a frame, that trees' vertices are kept to; 0: no limit
   foliage::TimeBudget time_budget;
   gl::FrameTimer timer;  ///< of the GPU; where there is none, frames are waited for and timed as a whole
 };

@@ -70,6 +70,7 @@ void run_headless(const Options& options, const Imported& city, std::span<const 
   Stage stage(city.scene, plants, quality, options.size);
   apply(options, stage);
   stage.whole = true;
+  if (options.packs) stage.packs.emplace(plants);
   const std::vector<FrameRow> rows = draw_path(options, stage, path);
   const RunFacts facts{renderer, quality.name, path.name, largest_memory_mb()};
   files::write_whole(options.out / "frames.csv", to_csv(rows));

@@ -48,8 +48,8 @@ void PackMaker::want(std::span<const std::uint32_t> plants) {
 
 std::optional<PackMaker::Made> PackMaker::take_locked() {
   if (done_.empty()) return std::nullopt;
-  std::optional<Made> made(std::move(done_.back()));
-  done_.pop_back();
+  std::optional<Made> made(std::move(done_.front()));
+  done_.erase(done_.begin());
   return made;
 }
 
@@ -71,8 +71,8 @@ void PackMaker::work() {
   for (;;) {
     changed_.wait(lock, [this] { return stop_ || !todo_.empty(); });
     if (stop_) return;
-    const std::uint32_t plant = todo_.back();
-    todo_.pop_back();
+    const std::uint32_t plant = todo_.front();
+    todo_.erase(todo_.begin());
     busy_ = true;
     lock.unlock();
     std::optional<foliage::LdmPack> pack;

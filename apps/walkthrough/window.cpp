@@ -271,6 +271,7 @@ void run_window(const Options& options, const Imported& city, std::span<const fo
       options.quality.empty() ? draw::quality_for(gl::renderer_name()) : draw::quality_named(options.quality);
   Session session{handle.window, options, path, Stage(city.scene, plants, quality, framebuffer_size(handle.window))};
   apply(options, session.stage);
+  if (options.packs) session.stage.packs.emplace(plants);
   stand_at(session.camera, city.scene.frame, pose_at(path, path.begin()));
   set_callbacks(session);
   handle.start_backends();

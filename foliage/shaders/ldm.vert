@@ -50,6 +50,6 @@ void main() {
   out_normal_y = tree.row_y.xyz * inverse;
   out_normal_z = tree.row_z.xyz * inverse;
   out_share = vec3(item.low, item.high, float(tree.hash & 255u) * (1.0 / 255.0));
-  out_hash = uvec2(tree.hash, mixed(item.side * 64u + (mosaic.block_depth >> 16u) / 1024u + tree.hash));
+  out_hash = uvec2(tree.hash, mixed(side.number * 64u + (mosaic.block_depth >> 16u) / 1024u + tree.hash));
   gl_Position = clip_position(out_rel);
 }

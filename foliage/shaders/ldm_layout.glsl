@@ -19,7 +19,9 @@ struct LdmItem {
 // 65535ths.
 struct LdmSideHead {
   vec4 origin, right, up, inward;
-  uint first_block, first_page, spare0, spare1;
+  uint first_block, first_page;
+  uint number;  // of its pack: what is random about it must not depend on which packs there are besides
+  uint spare;
 };
 
-const uint kLdmGroup = 8u;  // mosaics of one item, drawn together
+const uint kLdmGroup = 1u;  // mosaics of one item, drawn together: the farthest trees have one a side
