@@ -231,8 +231,8 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
   if (options.layers.trees) {
     const double error_px = options.tree_error_px > 0 ? options.tree_error_px : s.quality.tree_error_px;
     const foliage::Law law = options.tree_law.value_or(s.quality.tree_law);
-    const TreeDetail detail{law, error_px / f_px, options.tree_vertices,
-                            options.mosaics && law == foliage::Law::ours, options.trees_by_node};
+    const TreeDetail detail{law, error_px / f_px, options.tree_vertices, options.mosaics && law == foliage::Law::ours,
+                            options.trees_by_node};
     extract_trees(s.trees, scene.trees, sets.objects(), s.rows, detail, s.stream);
     counts.tree_error_px = s.trees.law == foliage::Law::full ? 0 : s.trees.error_at_1m * f_px;
     counts.tree_law = s.trees.law;

@@ -20,6 +20,12 @@ namespace {
 constexpr Size kSize{360, 240};
 constexpr float kHeight = 11;
 
+Quality sampled(int samples) {
+  Quality quality;
+  quality.samples = samples;
+  return quality;
+}
+
 /// Side by side, so far away that they are about as high as that in a picture of kSize.
 Scene make_row(int trees, double height_px) {
   HandBlock block;
@@ -64,7 +70,7 @@ TEST_CASE("far trees: a pack is asked for once trees are small and until it is t
   const gl::HeadlessContext context;
   const auto plants = simple_plants();
   const Scene near = make_row(2, 100), far = make_row(2, 20);
-  Renderer of_near(near, plants, quality_named("low")), of_far(far, plants, quality_named("low"));
+  Renderer of_near(near, plants, sampled(1)), of_far(far, plants, sampled(1));
   picture_of(of_near, near, true);
   CHECK(of_near.packs_wanted().empty());
   picture_of(of_far, far, false);
@@ -86,7 +92,7 @@ TEST_CASE("far trees: a crown is as opaque on the way to mosaics as before and a
   const foliage::LdmPack pack = pack_of(plants[0]);
   for (double height = 1.1 * kNoMosaics; height > 0.9 * kAllMosaics; height -= 1.5) {
     const Scene scene = make_row(1, kError * height);
-    Renderer renderer(scene, plants, quality_named("low"));
+    Renderer renderer(scene, plants, sampled(1));
     renderer.add_pack(0, pack);
     const Picture without = picture_of(renderer, scene, false, kError);
     const Picture with = picture_of(renderer, scene, true, kError);
@@ -111,7 +117,7 @@ TEST_CASE("far trees: as much light comes from trees as mosaics take over") {
   const foliage::LdmPack pack = pack_of(plants[0]);
   for (const double height : {31.0, 29.0, 27.0, 25.0, 22.0}) {
     const Scene scene = make_row(10, height);
-    Renderer renderer(scene, plants, quality_named("high"));
+    Renderer renderer(scene, plants, sampled(4));
     renderer.add_pack(0, pack);
     const double full = light_of(picture_of(renderer, scene, false, 0.01));
     CAPTURE(height);
