@@ -36,7 +36,7 @@ ImportOptions import_options(const LoadOptions& options) {
 }  // namespace
 
 Model::Model(Imported imported, std::vector<foliage::PreparedPlant> plants)
-    : imported_(std::move(imported)), plants_(std::move(plants)), prepared_(draw::prepare_city(imported_.scene)) {}
+    : imported_(std::move(imported)), plants_(std::move(plants)) {}
 
 std::shared_ptr<const Model> Model::load(const std::string& city, const LoadOptions& options,
                                          const Progress& progress) {

@@ -65,15 +65,12 @@ class Model {
   /// For what a host puts into it; as many as one likes.
   std::shared_ptr<Nodes> new_nodes() const;
 
-  const std::shared_ptr<const draw::PreparedCity>& prepared() const { return prepared_; }
-
   /// Of parts that the host has made or changed itself. `plants`: by TreeInstance::plant.
   Model(Imported imported, std::vector<foliage::PreparedPlant> plants);
 
  private:
   Imported imported_;
   std::vector<foliage::PreparedPlant> plants_;
-  std::shared_ptr<const draw::PreparedCity> prepared_;
 };
 
 }  // namespace manzana

@@ -2,8 +2,10 @@
 
 #include <EGL/egl.h>
 
+#include <algorithm>
 #include <cassert>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -35,7 +37,8 @@ struct Resident {
   std::shared_ptr<const Model> model;
   std::shared_ptr<const Nodes> nodes;
   RendererPtr renderer;
-  std::size_t left = 0;  ///< bytes to upload
+  std::vector<Eye> eyes;
+  std::size_t left = 0;  ///< bytes to upload of what its eyes see
 };
 
 void load_functions_once(const Host& host) {
@@ -96,7 +99,6 @@ struct View::State {
   culling::ClassMask classes = culling::kAllClasses;
   bool recolour = false;          ///< `colour` is not yet that of what is shown
   std::vector<RendererPtr> gone;  ///< to be freed with the context current
-  std::vector<Eye> eyes;
   Update update;
 
   void log(const std::string& line) const {
@@ -112,9 +114,12 @@ struct View::State {
   void take_wanted();
   RendererPtr make_renderer(const Model& model) const;
   void bring();
+  void bring(std::size_t most);
+  void begin();
   void paint();
   void swap_in();
-  void see(Eye& eye, const HostCamera& camera, double seconds);
+  void look(Resident& resident, std::span<const HostCamera> cameras, double seconds) const;
+  void see(const Resident& resident, Eye& eye, const HostCamera& camera, double seconds) const;
   void account();
   void forget() noexcept;
 };
@@ -138,33 +143,45 @@ void View::State::take_wanted() {
 RendererPtr View::State::make_renderer(const Model& model) const {
   const draw::Quality quality =
       options.quality.empty() ? draw::quality_for(gl::renderer_name()) : draw::quality_named(options.quality);
-  return std::make_unique<draw::Renderer>(model.scene(), model.plants(), quality, model.prepared());
+  return std::make_unique<draw::Renderer>(model.scene(), model.plants(), quality, options.gpu_bytes);
 }
 
-/// One frame's share of the upload.
+/// One frame's share of the upload of what its cameras will see.
 void View::State::bring() {
   if (!coming.model) return;
-  if (!coming.renderer) {
-    const std::uint64_t bytes = draw::device_bytes(*coming.model->prepared());
-    if (options.gpu_bytes > 0 && bytes > options.gpu_bytes) {
-      log("the city needs " + std::to_string(bytes) + " bytes of the device; " + std::to_string(options.gpu_bytes) +
-          " are allowed");
-      return drop(coming);
-    }
-    const std::shared_ptr<const Model> model = std::exchange(coming.model, nullptr);  // gone, should that throw
-    coming.renderer = make_renderer(*model);
-    coming.model = model;
-  }
-  coming.left = coming.renderer->upload(options.upload_bytes_a_frame);
   repaint();
+  if (!coming.renderer) return begin();
+  bring(options.upload_bytes_a_frame);
+}
+
+/// At most so many bytes; 0: only says how many are left, without GL.
+void View::State::bring(std::size_t most) {
+  coming.left = 0;
+  for (const Eye& eye : coming.eyes) {
+    const std::size_t before = coming.renderer->memory().meshes_held;
+    coming.left += coming.renderer->bring(coming.model->scene(), *eye.sets, most);
+    most -= std::min(most, coming.renderer->memory().meshes_held - before);
+  }
+}
+
+/// Programs and plants.
+void View::State::begin() {
+  const std::shared_ptr<const Model> model = std::exchange(coming.model, nullptr);  // gone, should that throw
+  coming.renderer = make_renderer(*model);
+  coming.model = model;
+  const draw::DeviceMemory memory = coming.renderer->memory();
+  const std::uint64_t least = memory.sum() - memory.meshes;
+  if (options.gpu_bytes == 0 || least <= options.gpu_bytes) return;
+  log("the city needs " + std::to_string(least) + " bytes of the device for plants alone; " +
+      std::to_string(options.gpu_bytes) + " are allowed");
+  drop(coming);
 }
 
 void View::State::swap_in() {
-  if (!coming.renderer || coming.left > 0) return;
+  if (!coming.renderer || coming.eyes.empty() || coming.left > 0) return;
   drop(shown);
   shown = std::move(coming);
   coming = {};
-  eyes.clear();
   recolour = colour != nullptr;
 }
 
@@ -180,16 +197,21 @@ void View::State::paint() {
   shown.renderer->paint_buildings(shown.model->scene(), colours);
 }
 
-void View::State::see(Eye& eye, const HostCamera& camera, double seconds) {
-  const Scene& scene = shown.model->scene();
+void View::State::look(Resident& resident, std::span<const HostCamera> cameras, double seconds) const {
+  if (resident.eyes.size() < cameras.size()) resident.eyes.resize(cameras.size());
+  for (std::size_t i = 0; i < cameras.size(); ++i) see(resident, resident.eyes[i], cameras[i], seconds);
+}
+
+void View::State::see(const Resident& resident, Eye& eye, const HostCamera& camera, double seconds) const {
+  const Scene& scene = resident.model->scene();
   eye.host = camera;
   eye.camera = draw::camera_of(camera.projection, camera.view, camera.depth, camera.viewport.height);
   if (!eye.sets) eye.sets = std::make_unique<VisibleSets>(scene);
   eye.sets->classes = classes;
   eye.nodes.clear();
-  if (shown.nodes) {
-    find_visible(*shown.nodes, eye.camera.frustum, *eye.sets);
-    shown.nodes->find(eye.sets->nodes(), eye.nodes);
+  if (resident.nodes) {
+    find_visible(*resident.nodes, eye.camera.frustum, *eye.sets);
+    resident.nodes->find(eye.sets->nodes(), eye.nodes);
   } else {
     find_visible(scene, eye.camera.frustum, Structure::bqr, *eye.sets);
   }
@@ -198,10 +220,10 @@ void View::State::see(Eye& eye, const HostCamera& camera, double seconds) {
 
 void View::State::account() {
   update.shown = shown.renderer != nullptr;
-  update.bytes_to_upload = coming.left;
+  update.bytes_to_upload = coming.renderer ? coming.left : shown.left;
   update.gpu_bytes = 0;
   for (const Resident* resident : {&shown, &coming})
-    if (resident->renderer) update.gpu_bytes += resident->renderer->device_bytes();
+    if (resident->renderer) update.gpu_bytes += resident->renderer->memory().sum();
 }
 
 void View::State::forget() noexcept {
@@ -212,8 +234,8 @@ void View::State::forget() noexcept {
   coming.renderer.reset();
   if (!coming.model) coming.model = model, coming.nodes = nodes;  // it comes back when it is drawn again
   coming.left = 0;
+  coming.eyes.clear();
   shown = {};
-  eyes.clear();
   account();
 }
 
@@ -245,12 +267,15 @@ const Update& View::update(std::span<const HostCamera> cameras, double seconds) 
   s.drawing.seconds = seconds;
   s.update.cameras.assign(cameras.size(), {});
   if (s.shown.model) {
-    if (s.eyes.size() < cameras.size()) s.eyes.resize(cameras.size());
+    s.look(s.shown, cameras, seconds);
     for (std::size_t i = 0; i < cameras.size(); ++i) {
-      s.see(s.eyes[i], cameras[i], seconds);
-      s.update.cameras[i] = count_seen(s.shown.model->scene(), *s.eyes[i].sets);
-      s.update.cameras[i].nodes = s.eyes[i].nodes.size();
+      s.update.cameras[i] = count_seen(s.shown.model->scene(), *s.shown.eyes[i].sets);
+      s.update.cameras[i].nodes = s.shown.eyes[i].nodes.size();
     }
+  }
+  if (s.coming.renderer) {
+    s.look(s.coming, cameras, seconds);
+    s.bring(0);
   }
   s.account();
   return s.update;
@@ -263,14 +288,17 @@ void View::render(std::size_t i) {
   gl::set_clean_state();
   s.gone.clear();
   s.bring();
-  if (!s.shown.renderer || i >= s.eyes.size()) return;
+  if (!s.shown.renderer || i >= s.shown.eyes.size()) return;
   s.paint();
-  const Eye& eye = s.eyes[i];
+  const Eye& eye = s.shown.eyes[i];
   draw::Renderer& renderer = *s.shown.renderer;
   const draw::PixelRect& viewport = eye.host.viewport;
   renderer.resize({viewport.width, viewport.height}, i);
   if (renderer.bring(eye.nodes, s.options.upload_bytes_a_frame) > 0) s.repaint();
-  renderer.draw(s.shown.model->scene(), *eye.sets, eye.camera, s.drawing, eye.nodes);
+  draw::DrawOptions drawing = s.drawing;
+  drawing.upload_bytes = s.options.upload_bytes_a_frame;
+  s.shown.left = renderer.draw(s.shown.model->scene(), *eye.sets, eye.camera, drawing, eye.nodes).bytes_to_bring;
+  if (s.shown.left > 0) s.repaint();
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, saved.framebuffer());
   draw::Overlay overlay{.viewport = viewport, .linear = s.options.linear_framebuffer};
   set_depth(overlay, eye.host, eye.camera);
@@ -281,10 +309,10 @@ void View::pick(std::size_t i, const draw::PixelRect& rect, std::span<FeatureId>
   State& s = *state_;
   assert(ids.size() == static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height));
   std::fill(ids.begin(), ids.end(), 0);
-  if (!s.shown.renderer || i >= s.eyes.size()) return;
+  if (!s.shown.renderer || i >= s.shown.eyes.size()) return;
   const gl::SavedState saved;
   gl::set_clean_state();
-  const Eye& eye = s.eyes[i];
+  const Eye& eye = s.shown.eyes[i];
   s.shown.renderer->resize({eye.host.viewport.width, eye.host.viewport.height}, i);
   const auto seen = s.shown.renderer->pick(s.shown.model->scene(), *eye.sets, eye.camera, rect, eye.nodes);
   std::copy(seen.begin(), seen.end(), ids.begin());
@@ -292,8 +320,8 @@ void View::pick(std::size_t i, const draw::PixelRect& rect, std::span<FeatureId>
 
 std::optional<Vec3d> View::place(std::size_t i, int x, int y) {
   State& s = *state_;
-  if (!s.shown.renderer || i >= s.eyes.size()) return {};
-  const Eye& eye = s.eyes[i];
+  if (!s.shown.renderer || i >= s.shown.eyes.size()) return {};
+  const Eye& eye = s.shown.eyes[i];
   const draw::PixelRect& v = eye.host.viewport;
   const double depth = s.shown.renderer->depth_at(i, x, y);
   if (depth <= 0) return {};

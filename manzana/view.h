@@ -31,7 +31,9 @@ struct Host {
 };
 
 struct ViewOptions {
-  std::uint64_t gpu_bytes = 0;  ///< a city that needs more is not shown, and the log says so; 0: no limit
+  /// At most about so many bytes of the device; 0: no limit. What was not seen for longest gives way. Where even plants
+  /// and pictures need more, the city is not shown, and the log says so.
+  std::uint64_t gpu_bytes = 0;
   std::uint64_t upload_bytes_a_frame = 8 << 20;  ///< of one render()
   std::string quality = {};                      ///< fast, balanced, accurate, exact; empty: by the device
   bool linear_framebuffer = false;               ///< the host's encodes what is written, as GL_FRAMEBUFFER_SRGB does
@@ -50,7 +52,7 @@ struct Update {
     std::uint64_t blocks = 0, buildings = 0, surfaces = 0, trees = 0, cars = 0, nodes = 0;
   };
   std::vector<Seen> cameras;
-  std::uint64_t bytes_to_upload = 0;  ///< 0: all is there
+  std::uint64_t bytes_to_upload = 0;  ///< of what is in sight; 0: all is there
   std::uint64_t gpu_bytes = 0;        ///< held of the device
   bool shown = false;                 ///< the city is drawn; new ones start hidden
 };

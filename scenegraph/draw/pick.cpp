@@ -42,23 +42,31 @@ Mat4 onto_rect(const Mat4d& clip, Size picture, const PixelRect& rect) {
   return Mat4(spread * clip);
 }
 
-/// A command for each object, which bears its number.
-std::vector<gl::DrawCommand> commands_of(const CityLayer& layer, std::span<const culling::ObjectRun> runs) {
+/// A command for each object and paint, which bears its number.
+std::vector<gl::DrawCommand> commands_of(const LayerTable& table, const LayerPieces& layer,
+                                         std::span<const culling::ObjectRun> runs) {
   std::vector<gl::DrawCommand> commands;
-  for (const auto& first : layer.first)
-    for (const culling::ObjectRun& run : runs)
-      for (std::uint32_t object = run.first; object < run.last; ++object)
-        if (first[object] < first[object + 1])
-          commands.push_back({first[object + 1] - first[object], 1, first[object], 0, object + 1});
+  for (const culling::ObjectRun& run : runs)
+    for (std::uint32_t object = run.first; object < run.last; ++object)
+      layer.for_each(table, {object, object + 1}, [&](std::uint32_t piece, const culling::ObjectRun& rows) {
+        if (!layer.held[piece]) return;
+        const std::uint32_t before = layer.pieces[piece].rows.first;
+        for (const auto& first : layer.held[piece]->first) {
+          const std::uint32_t begin = first[rows.first - before], end = first[rows.last - before];
+          const auto base = static_cast<GLint>(layer.held[piece]->vertices_at);
+          if (begin < end) commands.push_back({end - begin, 1, begin, base, object + 1});
+        }
+      });
   return commands;
 }
 
-void draw_mesh_ids(const CityLayer& layer, std::span<const culling::ObjectRun> runs) {
-  const std::vector<gl::DrawCommand> commands = commands_of(layer, runs);
+void draw_mesh_ids(const CityMeshes& meshes, const LayerTable& table, const LayerPieces& layer,
+                   std::span<const culling::ObjectRun> runs) {
+  const std::vector<gl::DrawCommand> commands = commands_of(table, layer, runs);
   if (commands.empty()) return;
   const gl::Buffer buffer = gl::make_buffer(std::as_bytes(std::span(commands)));
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer.name());
-  glBindVertexArray(layer.array.name());
+  glBindVertexArray(meshes.array().name());
   glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(commands.size()), 0);
 }
 
@@ -151,8 +159,8 @@ Ids pick_objects(const PickPrograms& programs, const Pickable& what, const Camer
   begin(target, rect);
   use(programs.meshes, clip);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, blocks.name());
-  draw_mesh_ids(what.buildings, runs);
-  draw_mesh_ids(what.surfaces, runs);
+  draw_mesh_ids(what.meshes, what.scene.buildings.table, what.meshes.buildings, runs);
+  draw_mesh_ids(what.meshes, what.scene.surfaces.table, what.meshes.surfaces, runs);
   use(programs.nodes, clip);
   draw_node_ids(what, camera.eye);
   use(programs.trees, clip);

@@ -1,6 +1,6 @@
 #pragma once
 /// What stands in a pixel: a pass of numbers, drawn only when somebody asks.
-#include "scenegraph/draw/city_layer.h"
+#include "scenegraph/draw/city_meshes.h"
 #include "scenegraph/draw/node_layer.h"
 #include "scenegraph/draw/renderer.h"
 
@@ -9,7 +9,7 @@ namespace manzana::draw {
 struct Pickable {
   const Scene& scene;
   const VisibleSets& sets;
-  const CityLayer &buildings, &surfaces;
+  const CityMeshes& meshes;
   const NodeLayerGpu& nodes;
   std::span<const SeenNode> seen;
 };

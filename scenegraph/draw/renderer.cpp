@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
-#include <limits>
 #include <optional>
 
 #include "gl/framebuffer.h"
 #include "manzana_draw_shaders.h"
 #include "scenegraph/draw/car_layer.h"
-#include "scenegraph/draw/city_layer.h"
+#include "scenegraph/draw/city_meshes.h"
 #include "scenegraph/draw/compositor.h"
 #include "scenegraph/draw/debug_volumes.h"
 #include "scenegraph/draw/frame_data.h"
@@ -49,30 +48,13 @@ void add(FrameCounts& counts, const Drawn& drawn) {
 
 }  // namespace
 
-struct PreparedCity {
-  PreparedLayer buildings, surfaces;
-};
-
-std::shared_ptr<const PreparedCity> prepare_city(const Scene& scene) {
-  return std::make_shared<PreparedCity>(PreparedCity{prepare_layer(scene.buildings), prepare_layer(scene.surfaces)});
-}
-
-std::size_t device_bytes(const PreparedCity& city) {
-  std::size_t sum = 0;
-  for (const PreparedLayer* layer : {&city.buildings, &city.surfaces})
-    sum += std::as_bytes(std::span(layer->vertices)).size() + std::as_bytes(std::span(layer->indices)).size();
-  return sum;
-}
-
 struct Renderer::State {
-  State(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& asked,
-        std::shared_ptr<const PreparedCity> prepared)
-      : city(std::move(prepared)),
+  State(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& asked, std::size_t most)
+      : gpu_bytes(most),
         quality(asked),
         anchor(scene.blocks.empty() ? BlockFrame{} : scene.blocks.front()),
         rows(scene.blocks.size()),
-        buildings(city->buildings, uploads),
-        surfaces(city->surfaces, uploads),
+        meshes(scene),
         paints(make_paint_programs()),
         trees(scene, plants,
               asked.tree_law == foliage::Law::full ? limits_for_all(scene, plants) : foliage::ExtractLimits{}),
@@ -85,14 +67,13 @@ struct Renderer::State {
   void draw_layers(const Scene& scene, const VisibleSets& sets, const Camera& camera, const DrawOptions& options,
                    std::span<const SeenNode> nodes, FrameCounts& counts);
 
-  std::shared_ptr<const PreparedCity> city;  ///< until it is uploaded
-  gl::Uploads uploads;
   const gl::Target& target() const { return targets[screen]; }
 
+  std::size_t gpu_bytes;  ///< at most; 0: no limit
   Quality quality;
   BlockFrame anchor;
   std::vector<Rows> rows;  ///< of visible blocks
-  CityLayer buildings, surfaces;
+  CityMeshes meshes;
   PaintPrograms paints;
   TreeLayerGpu trees;
   CarLayerGpu cars;
@@ -105,14 +86,14 @@ struct Renderer::State {
   std::vector<gl::Target> targets;
   std::size_t screen = 0;
   Compositor compositor;
-  std::size_t buffer_bytes = 0;        ///< of those that stay as large as they are
+  std::size_t tree_bytes = 0;          ///< of the trees' buffers and pictures, which stay as large as they are
   std::optional<PickPrograms> picker;  ///< from the first time on that somebody picks
 };
 
 std::size_t Renderer::State::bytes_of_frame(const VisibleSets& sets) const {
   using gl::StreamBuffer;
   return StreamBuffer::padded(sizeof(FrameData)) + StreamBuffer::padded((rows.size() + 1) * sizeof(Rows)) +
-         stream_bytes(buildings, sets.objects().size()) + stream_bytes(surfaces, sets.objects().size()) +
+         stream_bytes(meshes.buildings, sets.objects().size()) + stream_bytes(meshes.surfaces, sets.objects().size()) +
          stream_bytes(trees) + stream_bytes(cars.meshes, sets.cars.size());
 }
 
@@ -145,7 +126,7 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
   glEnable(GL_CULL_FACE);
   if (layers.buildings) {
     counts.buildings = count(scene.buildings.table, sets.objects());
-    add(counts, draw_city(buildings, paints, sets.objects(), stream));
+    add(counts, draw_city(meshes, scene.buildings.table, meshes.buildings, paints, sets.objects(), stream));
   }
   if (layers.cars) {
     counts.cars = sets.cars.size();
@@ -160,7 +141,7 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
   }
   if (layers.surfaces) {
     counts.surfaces = count(scene.surfaces.table, sets.objects());
-    add(counts, draw_city(surfaces, paints, sets.objects(), stream));
+    add(counts, draw_city(meshes, scene.surfaces.table, meshes.surfaces, paints, sets.objects(), stream));
   }
   if (layers.surfaces) {
     if (layers.trees) add(counts, draw_tree_shadows(trees));
@@ -170,31 +151,36 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
   if (layers.sky) draw_sky(sky);
 }
 
-Renderer::Renderer(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& quality)
-    : Renderer(scene, plants, quality, prepare_city(scene)) {
-  upload(std::numeric_limits<std::size_t>::max());
-}
-
 Renderer::Renderer(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& quality,
-                   std::shared_ptr<const PreparedCity> city)
-    : state_(std::make_unique<State>(scene, plants, quality, std::move(city))) {
-  state_->buffer_bytes = draw::device_bytes(*state_->city) + device_bytes_of(state_->trees);
+                   std::size_t gpu_bytes)
+    : state_(std::make_unique<State>(scene, plants, quality, gpu_bytes)) {
+  state_->tree_bytes = device_bytes_of(state_->trees);
   resize({1, 1});
 }
 
-std::size_t Renderer::upload(std::size_t most_bytes) {
-  state_->uploads.step(most_bytes);
-  if (state_->uploads.left() == 0) state_->city.reset();
-  return state_->uploads.left();
+std::size_t Renderer::bring(const Scene& scene, const VisibleSets& sets, std::size_t most_bytes) {
+  if (state_->gpu_bytes > 0) {
+    const DeviceMemory now = memory();
+    const std::size_t others = now.sum() - now.meshes;
+    state_->meshes.limit(state_->gpu_bytes > others ? state_->gpu_bytes - others : 1);
+  }
+  return state_->meshes.bring(scene, sets.objects(), most_bytes);
 }
 
-std::size_t Renderer::device_bytes() const {
+DeviceMemory Renderer::memory() const {
   const State& s = *state_;
-  std::size_t sum = s.buffer_bytes + s.stream.bytes() + s.nodes.device_bytes();
+  DeviceMemory memory{.meshes = s.meshes.device_bytes(),
+                      .meshes_held = s.meshes.held_bytes(),
+                      .meshes_seen = s.meshes.seen_bytes(),
+                      .meshes_all = s.meshes.all_bytes(),
+                      .meshes_missing = s.meshes.missing_bytes(),
+                      .trees = s.tree_bytes,
+                      .nodes = s.nodes.device_bytes(),
+                      .stream = s.stream.bytes()};
   for (const gl::Target& t : s.targets)
-    sum += static_cast<std::size_t>(t.width) * static_cast<std::size_t>(t.height) * 8 *
-           static_cast<std::size_t>(t.samples > 1 ? t.samples + 1 : 1);
-  return sum;
+    memory.pictures += static_cast<std::size_t>(t.width) * static_cast<std::size_t>(t.height) * 8 *
+                       static_cast<std::size_t>(t.samples > 1 ? t.samples + 1 : 1);
+  return memory;
 }
 
 Renderer::~Renderer() = default;
@@ -223,6 +209,7 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
   count_cars(sets.cars, camera.eye, f_px / s.quality.tree_error_px, s.cars.selection);
 
   FrameCounts counts;
+  counts.bytes_to_bring = bring(scene, sets, options.upload_bytes);
   s.stream.begin(s.bytes_of_frame(sets) + stream_bytes(nodes));
   gl::bind(s.target());
   set_depth_and_colour(camera);
@@ -277,12 +264,12 @@ std::vector<std::uint32_t> Renderer::pick(const Scene& scene, const VisibleSets&
                                           const PixelRect& rect, std::span<const SeenNode> nodes) {
   State& s = *state_;
   if (!s.picker) s.picker.emplace();
-  return pick_objects(*s.picker, {scene, sets, s.buildings, s.surfaces, s.nodes, nodes}, camera,
-                      {s.target().width, s.target().height}, rect);
+  return pick_objects(*s.picker, {scene, sets, s.meshes, s.nodes, nodes}, camera, {s.target().width, s.target().height},
+                      rect);
 }
 
 void Renderer::paint_buildings(const Scene& scene, std::span<const std::uint32_t> colours) {
-  repaint(state_->buildings, scene.buildings, colours);
+  state_->meshes.paint(scene.buildings, state_->meshes.buildings, colours);
 }
 
 std::size_t Renderer::bring(std::span<const SeenNode> nodes, std::size_t most_bytes) {

@@ -50,7 +50,8 @@ struct DrawOptions {
   double wind = 0;               ///< strength, 0 to 1
   double seconds = 0;            ///< of the wind
   double fog_distance_m = 4000;  ///< where half of the light is the air's
-  bool transparent = false;      ///< where nothing stands, without a sky, alpha is 0; else the horizon's colour
+  std::size_t upload_bytes = static_cast<std::size_t>(-1);  ///< of meshes, in this frame; those that wait are hidden
+  bool transparent = false;  ///< where nothing stands, without a sky, alpha is 0; else the horizon's colour
   /// Debug view: volumes of the tree for this frustum, drawn as lines over what is drawn for the view. nullptr: none.
   const culling::View* frozen = nullptr;
 };
@@ -58,8 +59,9 @@ struct DrawOptions {
 struct FrameCounts {
   std::uint64_t triangles = 0;  ///< submitted; of trees mosaics alone: the GPU chooses the others
   std::uint64_t buildings = 0, surfaces = 0, trees = 0, cars = 0, nodes = 0;
-  std::uint64_t commands = 0;  ///< of multi-draws
-  double tree_error_px = 0;    ///< that was tolerated in trees, after the budget and what memory has room for
+  std::uint64_t commands = 0;        ///< of multi-draws
+  std::uint64_t bytes_to_bring = 0;  ///< of meshes in sight that wait for a later frame
+  double tree_error_px = 0;          ///< that was tolerated in trees, after the budget and what memory has room for
   foliage::Law tree_law = foliage::Law::ours;  ///< ours in place of what there was no room for
 };
 
@@ -81,24 +83,29 @@ struct Overlay {
   bool linear = false;          ///< it encodes what is written (GL_FRAMEBUFFER_SRGB); else it is given sRGB values
 };
 
-/// A scene's meshes as the GPU will have them. No GL.
-struct PreparedCity;
-std::shared_ptr<const PreparedCity> prepare_city(const Scene& scene);
-std::size_t device_bytes(const PreparedCity& city);
+/// Bytes of buffers and pictures, about.
+struct DeviceMemory {
+  std::size_t meshes = 0;          ///< the city's buffers
+  std::size_t meshes_held = 0;     ///< of these, what is filled
+  std::size_t meshes_seen = 0;     ///< of all that was in sight since the start, held or not
+  std::size_t meshes_all = 0;      ///< of the whole city, were it held
+  std::size_t meshes_missing = 0;  ///< in sight now, and without room
+  std::size_t trees = 0, nodes = 0, stream = 0, pictures = 0;
+  std::size_t sum() const { return meshes + trees + nodes + stream + pictures; }
+};
 
 inline constexpr std::uint32_t kOwnColour = ~0U;
 
 class Renderer {
  public:
-  /// `plants`: by TreeInstance::plant; those that no tree is may be empty. Uploads everything. Throws
-  /// std::runtime_error when a shader does not compile (with its log) or the scene does not fit the device's buffers.
-  Renderer(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& quality);
-  /// The meshes, by far the most of it, wait for upload(); nothing may be drawn before all are there.
+  /// `plants`: by TreeInstance::plant; those that no tree is may be empty. Meshes come when they are first in sight,
+  /// and go when all would be more than about `gpu_bytes`; 0: no limit. Throws std::runtime_error when a shader does
+  /// not compile (with its log) or the plants do not fit the device's buffers.
   Renderer(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& quality,
-           std::shared_ptr<const PreparedCity> city);
-  /// At most so many bytes; returns how many are left.
-  std::size_t upload(std::size_t most_bytes);
-  std::size_t device_bytes() const;  ///< of buffers and pictures, about; no GL
+           std::size_t gpu_bytes = 0);
+  /// Brings meshes that are in sight, as draw() does, ahead of it; returns how many bytes are left.
+  std::size_t bring(const Scene& scene, const VisibleSets& sets, std::size_t most_bytes);
+  DeviceMemory memory() const;  ///< no GL
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;

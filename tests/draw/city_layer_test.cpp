@@ -43,18 +43,6 @@ TEST_CASE("sorting by paint keeps every triangle of every object, each once") {
   }
 }
 
-TEST_CASE("commands cover just the indices of the runs, adjacent ones merged") {
-  const std::vector<std::uint32_t> first{0, 6, 6, 12, 30, 30, 33};
-  const std::vector<culling::ObjectRun> runs{{0, 1}, {1, 3}, {4, 5}, {5, 6}};
-  std::array<gl::DrawCommand, 4> commands;
-  const Drawn drawn = make_commands(first, runs, commands.data());
-  REQUIRE(drawn.commands == 2);
-  CHECK((commands[0].first_index == 0 && commands[0].count == 12));
-  CHECK((commands[1].first_index == 30 && commands[1].count == 3));
-  CHECK(drawn.triangles == 5);
-  CHECK(make_commands(first, {}, commands.data()).commands == 0);
-}
-
 TEST_CASE("a street's vertices know its lanes, also across a middle line") {
   HandMesh street;
   add_quad(street, {0, 0, 0}, {10, 0, 0}, {10, 6, 0}, {0, 6, 0}, 0, Material::asphalt, {10, 2});
