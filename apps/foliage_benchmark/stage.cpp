@@ -97,7 +97,6 @@ Extent extent_of(const foliage::PreparedPlant& plant) {
 Shot shot_of(const Extent& extent, double azimuth, double elevation, double height_px) {
   Shot shot;
   shot.focal_px = kFocalPx;
-  while (shot.fine * height_px < kFineHeightPx && shot.fine < 64) shot.fine *= 2;
   const double distance = kFocalPx * extent.nominal_height / height_px, middle = (extent.low + extent.high) / 2;
   const Vec3d back(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                    std::sin(elevation));
@@ -117,7 +116,15 @@ Shot shot_of(const Extent& extent, double azimuth, double elevation, double heig
   shot.view.tan_top = shot.height / (2 * kFocalPx);
   shot.view.tan_bottom = -shot.view.tan_top;
   shot.view.near_m = 0.05 * distance;
+  shot.fine = fine_samples(height_px, shot.width);
   return shot;
+}
+
+int fine_samples(double height_px, int width) {
+  constexpr int kWidest = 8192;
+  int fine = 4;
+  while (fine * height_px < kFineHeightPx && fine < 64 && 2 * fine * width <= kWidest) fine *= 2;
+  return fine;
 }
 
 Shot moved(const Shot& shot, double right_px) {

@@ -36,6 +36,8 @@ Extent extent_of(const foliage::PreparedPlant& plant);
 /// From so far that the plant's height has so many pixels; the picture holds all of it, and a margin for what windows
 /// reach. Angles in radians.
 Shot shot_of(const Extent& extent, double azimuth, double elevation, double height_px);
+/// As many as a reference needs, of plants of that height, as far as a device has room for such a picture.
+int fine_samples(double height_px, int width);
 /// The same picture, so much to the right.
 Shot moved(const Shot& shot, double right_px);
 

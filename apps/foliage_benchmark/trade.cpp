@@ -17,8 +17,8 @@ using foliage::PreparedPlant;
 constexpr std::array kLaws{Law::ours, Law::prune, Law::ramp, Law::points_and_lines, Law::levels};
 
 std::vector<Setting> settings_of(bool quick) {
-  std::vector<double> ours{0.5, 0.7, 1, 1.4, 2, 4}, others{1};
-  if (!quick) ours = {0.35, 0.5, 0.7, 0.85, 1, 1.2, 1.4, 2, 2.8, 4, 8}, others = {0.5, 1, 2, 4};
+  std::vector<double> ours{0.35, 0.5, 0.85, 1, 1.4, 2, 4}, others{1};
+  if (!quick) ours = {0.25, 0.35, 0.5, 0.7, 0.85, 1, 1.2, 1.4, 2, 2.8, 4, 8}, others = {0.5, 1, 2, 4};
   std::vector<Setting> settings;
   for (const Law law : kLaws)
     for (const double error : law == Law::ours ? ours : others) settings.push_back({law, error});
@@ -107,6 +107,7 @@ std::vector<Motif> stand_motifs(std::span<const PreparedPlant> plants, const Tra
       Sight sight{screen_shot(eye, -out - Vec3d(0, 0, place.down), plan.stand_rows), {{0, plan.stand_trees}}, 0, 0};
       sight.azimuth_deg = 360.0 * view / plan.errors.views;
       motif.height_px = std::round(sight.shot.focal_px * height / std::max(glm::length(eye), half));
+      sight.shot.fine = fine_samples(motif.height_px, sight.shot.width);
       motif.sights.push_back(std::move(sight));
     }
     motifs.push_back(std::move(motif));

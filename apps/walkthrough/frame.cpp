@@ -59,8 +59,8 @@ bool add_packs(Stage& stage) {
 }  // namespace
 
 Stage::Stage(const Scene& city, std::span<const foliage::PreparedPlant> plants, const draw::Quality& quality,
-             draw::Size first_size)
-    : scene(city), renderer(city, plants, quality), sets(city), size(first_size) {
+             draw::Size first_size, std::size_t gpu_bytes)
+    : scene(city), renderer(city, plants, quality, gpu_bytes), sets(city), size(first_size) {
   options.tree_error_px = quality.tree_error_px;
   options.tree_law = quality.tree_law;
   renderer.resize(size);
@@ -101,6 +101,7 @@ FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {
   stage.timer.end();
   if (stage.wait || must_wait(stage)) glFinish();
   row.draw_ms = watch.lap() * 1e3;
+  row.meshes_missing = counts.bytes_without_room;
   row.blocks_visible = blocks_in(stage.sets.blocks());
   row.buildings_visible = counts.buildings;
   row.trees_visible = counts.trees;

@@ -18,7 +18,7 @@ namespace manzana::walkthrough {
 /// What lives from frame to frame. The scene must outlive it; a GL context must be current.
 struct Stage {
   Stage(const Scene& city, std::span<const foliage::PreparedPlant> plants, const draw::Quality& quality,
-        draw::Size size);
+        draw::Size size, std::size_t gpu_bytes = 0);
   double aspect() const { return static_cast<double>(size.width) / static_cast<double>(size.height); }
   void resize(draw::Size new_size);
 
@@ -42,6 +42,9 @@ void apply(const Options& options, Stage& stage);
 
 /// What to say, once, of a frame with FrameRow::trees_missing.
 constexpr const char* kTreesMissing = "no room for all trees in view: parts of some are not drawn";
+
+/// Of a frame with FrameRow::meshes_missing.
+constexpr const char* kMeshesMissing = "no room for all meshes in view: some are not drawn (--gpu-mb)";
 
 /// The cars are where they are `seconds` after the start of the scene.
 FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds);

@@ -18,6 +18,7 @@ struct FrameRow {
                 points = 0;
   double tree_error_px = 0;  ///< tolerated in trees; more than asked for where a budget or the memory binds
   foliage::Law tree_law = foliage::Law::ours;  ///< ours in place of what there was no room for
+  std::uint64_t meshes_missing = 0;            ///< bytes of meshes in sight that were left out for want of room
   std::uint64_t trees_missing = 0;             ///< list entries of trees that were left out for want of room
   double frame_ms() const { return cull_us / 1000 + update_us / 1000 + draw_ms; }
 };

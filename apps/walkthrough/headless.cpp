@@ -9,6 +9,7 @@
 #include "apps/walkthrough/caption.h"
 #include "apps/walkthrough/frame.h"
 #include "apps/walkthrough/load.h"
+#include "apps/walkthrough/memory_report.h"
 #include "apps/walkthrough/summary.h"
 #include "files/whole_file.h"
 #include "gl/context.h"
@@ -28,7 +29,7 @@ void write_frame(Stage& stage, const std::filesystem::path& file) {
   write_png(file, picture);
 }
 
-std::vector<FrameRow> draw_path(const Options& options, Stage& stage, const CameraPath& path) {
+std::vector<FrameRow> draw_path(const Options& options, Stage& stage, const CameraPath& path, PathNeeds& needs) {
   const auto view_at = [&](int frame) {
     return view_of(stage.scene.frame, pose_at(path, path_time(path, frame, options.frames)), stage.aspect());
   };
@@ -37,6 +38,7 @@ std::vector<FrameRow> draw_path(const Options& options, Stage& stage, const Came
   draw_frame(stage, view_at(0), 0);
   for (int frame = 0; frame < options.frames; ++frame) {
     rows.push_back(draw_frame(stage, view_at(frame), frame / kFramesPerSecond));
+    if (options.report_memory) needs.see(stage.sets);
     if (frame % options.every == 0) write_frame(stage, options.out / frame_name(frame));
     bar.show("drawing", (frame + 1.0) / options.frames);
   }
@@ -50,6 +52,8 @@ void warn(foliage::Law asked, std::span<const FrameRow> rows) {
                  rows.size(), name_of(foliage::Law::ours));
   const auto missing = [](const FrameRow& row) { return row.trees_missing > 0; };
   if (std::any_of(rows.begin(), rows.end(), missing)) std::fprintf(stderr, "%s\n", kTreesMissing);
+  const auto hidden = [](const FrameRow& row) { return row.meshes_missing > 0; };
+  if (std::any_of(rows.begin(), rows.end(), hidden)) std::fprintf(stderr, "%s\n", kMeshesMissing);
 }
 
 void print_result(const Options& options, std::span<const FrameRow> rows) {
@@ -67,17 +71,20 @@ void run_headless(const Options& options, const Imported& city, std::span<const 
   const gl::HeadlessContext context;
   const std::string renderer = gl::renderer_name();
   const auto quality = options.quality.empty() ? draw::quality_for(renderer) : draw::quality_named(options.quality);
-  Stage stage(city.scene, plants, quality, options.size);
+  Stage stage(city.scene, plants, quality, options.size, gpu_bytes(options));
+  PathNeeds needs(city.scene);
   apply(options, stage);
   stage.whole = true;
   if (options.packs) stage.packs.emplace(plants);
-  const std::vector<FrameRow> rows = draw_path(options, stage, path);
+  const std::vector<FrameRow> rows = draw_path(options, stage, path, needs);
   const RunFacts facts{renderer, quality.name, path.name, largest_memory_mb()};
   files::write_whole(options.out / "frames.csv", to_csv(rows));
   files::write_whole(options.out / "issues.txt", issue_table(city.issues));
   files::write_whole(options.out / "summary.json", summary_json(options, city, rows, facts));
   warn(*stage.options.tree_law, rows);
   print_result(options, rows);
+  if (options.report_memory)
+    std::printf("%s", to_text(report_memory(city.scene, plants, needs, stage.renderer.memory())).c_str());
 }
 
 }  // namespace manzana::walkthrough

@@ -143,6 +143,13 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
                  "fast, balanced, accurate: what trees and cars may be wrong by, as measured; exact: nothing is\n"
                  "left out, nor culled. Without it balanced; in software fast, with one sample a pixel")
       ->check(CLI::IsMember(draw::quality_names()));
+  app.add_option(
+         "--gpu-mb", options.gpu_mb,
+         "megabytes of the device that may be used: meshes that were not seen for longest give way; 0: no limit")
+      ->check(within(0, 1e6))
+      ->capture_default_str();
+  app.add_flag("--report-memory", options.report_memory,
+               "with --headless: what each part holds, and how much of it the path needed");
   app.add_option("--seed", options.seed, "of scattered trees, cars and the built-in town")
       ->check([](const std::string& text) { return std::string(text.starts_with('-') ? "is negative: " + text : ""); },
               "")

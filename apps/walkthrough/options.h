@@ -33,6 +33,8 @@ struct Options {
   Structure structure = Structure::bqr;
   culling::ClassMask only = culling::kAllClasses;
   std::filesystem::path out = "manzana-out";
+  double gpu_mb = 0;  ///< of the device, at most; 0: no limit
+  bool report_memory = false;
   std::string quality;  ///< fast, balanced, accurate or exact; empty: by the renderer's name
   std::uint64_t seed = 1;
   int cars = -1;  ///< -1: by the length of the streets
@@ -45,6 +47,8 @@ struct Options {
   std::optional<foliage::Law> tree_law;  ///< the same
   bool trees_by_node = false, wind = true, packs = true;
 };
+
+inline std::size_t gpu_bytes(const Options& options) { return static_cast<std::size_t>(options.gpu_mb * 1e6); }
 
 using Parsed = apps::Parsed<Options>;
 Parsed parse_options(int argc, const char* const* argv);

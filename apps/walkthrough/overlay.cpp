@@ -61,6 +61,7 @@ void draw_times(const PanelState& panel, const Stage& stage) {
   ImGui::Text("points    %8llu", static_cast<unsigned long long>(s.points));
   ImGui::Text("error in trees %7.2f px (%s)", s.tree_error_px, name_of(s.tree_law));
   if (s.trees_missing > 0) ImGui::Text("%s", kTreesMissing);
+  if (s.meshes_missing > 0) ImGui::Text("%s", kMeshesMissing);
 }
 
 void draw_tree_detail(Stage& stage) {

@@ -246,6 +246,7 @@ void show_frame(Session& session) {
   session.stage.renderer.present(0);
   take_in(session.panel, row, passed);
   if (row.trees_missing > 0 && !std::exchange(session.told_missing, true)) say(session, kTreesMissing);
+  if (row.meshes_missing > 0 && !std::exchange(session.told_missing, true)) say(session, kMeshesMissing);
   draw_overlay(session);
   glfwSwapBuffers(session.window);
 }
@@ -269,7 +270,8 @@ void run_window(const Options& options, const Imported& city, std::span<const fo
   WindowHandle handle(options.size);
   const auto quality =
       options.quality.empty() ? draw::quality_for(gl::renderer_name()) : draw::quality_named(options.quality);
-  Session session{handle.window, options, path, Stage(city.scene, plants, quality, framebuffer_size(handle.window))};
+  Session session{handle.window, options, path,
+                  Stage(city.scene, plants, quality, framebuffer_size(handle.window), gpu_bytes(options))};
   apply(options, session.stage);
   if (options.packs) session.stage.packs.emplace(plants);
   stand_at(session.camera, city.scene.frame, pose_at(path, path.begin()));

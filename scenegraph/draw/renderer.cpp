@@ -86,7 +86,7 @@ struct Renderer::State {
   std::vector<gl::Target> targets;
   std::size_t screen = 0;
   Compositor compositor;
-  std::size_t tree_bytes = 0;          ///< of the trees' buffers and pictures, which stay as large as they are
+  TreeBytes tree_bytes;                ///< of the trees' buffers and pictures, which stay as large as they are
   std::optional<PickPrograms> picker;  ///< from the first time on that somebody picks
 };
 
@@ -174,7 +174,8 @@ DeviceMemory Renderer::memory() const {
                       .meshes_seen = s.meshes.seen_bytes(),
                       .meshes_all = s.meshes.all_bytes(),
                       .meshes_missing = s.meshes.missing_bytes(),
-                      .trees = s.tree_bytes,
+                      .plants = s.tree_bytes.plants,
+                      .lists = s.tree_bytes.lists,
                       .nodes = s.nodes.device_bytes(),
                       .stream = s.stream.bytes()};
   for (const gl::Target& t : s.targets)
@@ -210,6 +211,7 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
 
   FrameCounts counts;
   counts.bytes_to_bring = bring(scene, sets, options.upload_bytes);
+  counts.bytes_without_room = s.meshes.missing_bytes();
   s.stream.begin(s.bytes_of_frame(sets) + stream_bytes(nodes));
   gl::bind(s.target());
   set_depth_and_colour(camera);

@@ -61,6 +61,7 @@ struct FrameCounts {
   std::uint64_t buildings = 0, surfaces = 0, trees = 0, cars = 0, nodes = 0;
   std::uint64_t commands = 0;        ///< of multi-draws
   std::uint64_t bytes_to_bring = 0;  ///< of meshes in sight that wait for a later frame
+  std::uint64_t bytes_without_room = 0;  ///< of meshes in sight
   double tree_error_px = 0;          ///< that was tolerated in trees, after the budget and what memory has room for
   foliage::Law tree_law = foliage::Law::ours;  ///< ours in place of what there was no room for
 };
@@ -85,13 +86,14 @@ struct Overlay {
 
 /// Bytes of buffers and pictures, about.
 struct DeviceMemory {
-  std::size_t meshes = 0;          ///< the city's buffers
-  std::size_t meshes_held = 0;     ///< of these, what is filled
-  std::size_t meshes_seen = 0;     ///< of all that was in sight since the start, held or not
-  std::size_t meshes_all = 0;      ///< of the whole city, were it held
-  std::size_t meshes_missing = 0;  ///< in sight now, and without room
-  std::size_t trees = 0, nodes = 0, stream = 0, pictures = 0;
-  std::size_t sum() const { return meshes + trees + nodes + stream + pictures; }
+  std::size_t meshes = 0;             ///< the city's buffers
+  std::size_t meshes_held = 0;        ///< of these, what is filled
+  std::size_t meshes_seen = 0;        ///< of all that was in sight since the start, held or not
+  std::size_t meshes_all = 0;         ///< of the whole city, were it held
+  std::size_t meshes_missing = 0;     ///< in sight now, and without room
+  std::size_t plants = 0, lists = 0;  ///< of trees
+  std::size_t nodes = 0, stream = 0, pictures = 0;
+  std::size_t sum() const { return meshes + plants + lists + nodes + stream + pictures; }
 };
 
 inline constexpr std::uint32_t kOwnColour = ~0U;

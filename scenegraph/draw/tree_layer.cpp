@@ -116,16 +116,18 @@ std::size_t stream_bytes(const TreeLayerGpu& layer) {
   return gl::StreamBuffer::padded(layer.sites.size() * sizeof(GLuint));
 }
 
-std::size_t device_bytes_of(const TreeLayerGpu& layer) {
+TreeBytes device_bytes_of(const TreeLayerGpu& layer) {
   constexpr std::size_t kImageBytes = 256 * 256 * 4 * 4 / 3;  // with its smaller levels
   const foliage::PlantStore& store = layer.store;
   const foliage::Extractor& e = layer.extractor;
-  std::size_t sum = 2 * layer.plants.size() * kImageBytes;
-  for (const gl::Buffer* buffer :
-       {&store.plants, &store.cells, &store.steps, &store.details, &store.views, &store.quads, &store.lines,
-        &store.points, &e.sites, &e.trees, &e.items, &e.groups, &e.commands})
-    sum += gl::bytes_of(*buffer);
-  return sum;
+  const auto sum = [](std::initializer_list<const gl::Buffer*> buffers) {
+    std::size_t bytes = 0;
+    for (const gl::Buffer* buffer : buffers) bytes += gl::bytes_of(*buffer);
+    return bytes;
+  };
+  return {2 * layer.plants.size() * kImageBytes + sum({&store.plants, &store.cells, &store.steps, &store.details,
+                                                       &store.views, &store.quads, &store.lines, &store.points}),
+          sum({&e.sites, &e.trees, &e.items, &e.groups, &e.commands})};
 }
 
 void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const culling::ObjectRun> objects,

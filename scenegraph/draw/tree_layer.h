@@ -48,7 +48,10 @@ struct TreeDetail {
 };
 
 std::size_t stream_bytes(const TreeLayerGpu& layer);
-std::size_t device_bytes_of(const TreeLayerGpu& layer);
+struct TreeBytes {
+  std::size_t plants = 0, lists = 0;
+};
+TreeBytes device_bytes_of(const TreeLayerGpu& layer);
 
 /// Once a frame, with the blocks' rows, relative to the eye, bound. `objects`: runs of the tree's.
 void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const culling::ObjectRun> objects,

@@ -146,6 +146,22 @@ TEST_CASE("program: the error in trees is what was asked for, and a law without 
   CHECK(said.find("no room for what gadbem shows") != std::string::npos);
 }
 
+TEST_CASE("program: memory is reported and what it has no room for is told") {
+  const TemporaryFolder folder;
+  const auto run = [&](const char* name, std::vector<std::string> more) {
+    more.insert(more.end(), {"--report-memory", "--no-wind"});
+    const Ended ended =
+        run_walkthrough(folder.path(), small_run(folder.path() / name, "builtin:town", std::move(more)));
+    REQUIRE(ended.code == 0);
+    return ended;
+  };
+  const Ended all = run("all", {});
+  CHECK(all.out.find("meshes of buildings and surfaces") != std::string::npos);
+  CHECK(std::stod(all.out.substr(all.out.find("over_model: device ") + 19)) <= 1.5);
+  const Ended none = run("none", {"--gpu-mb", "1"});
+  CHECK(none.err.find("no room for all meshes in view") != std::string::npos);
+}
+
 TEST_CASE("program: no display and no --headless goes headless and says so") {
   const TemporaryFolder folder;
   auto arguments = small_run(folder.path() / "out", "builtin:town", {"--frames", "1"});
