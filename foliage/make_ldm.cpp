@@ -194,8 +194,8 @@ class Maker {
 void check_options(const LdmOptions& o) {
   const bool sane = o.layers >= 1 && o.layers <= 64 && o.smallest >= 1 && o.smallest <= kLdmBlock &&
                     o.colour_delta >= 0 && o.disparity_px > 0 && o.occlusion >= 0 && std::isfinite(o.occlusion) &&
-                    o.focal_px > 0 && o.focal_px < 1e6 && o.nearest_radii > 1 && o.nearest_radii < 1e6 && o.nearest >= 0 &&
-                    o.nearest < level_count(o);
+                    o.focal_px > 0 && o.focal_px < 1e6 && o.nearest_radii > 1 && o.nearest_radii < 1e6 &&
+                    o.nearest >= 0 && o.nearest < level_count(o);
   if (!sane) throw std::invalid_argument("options of a pack are out of range");
 }
 

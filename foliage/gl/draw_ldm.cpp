@@ -15,7 +15,8 @@ constexpr std::uint32_t kGroupsOfDraw = 8192;
 
 gl::Program make_program(const char* name, const HostShaders& host, const gl::Pieces& ways) {
   using namespace shaders;
-  gl::Pieces vertex{version_glsl, hash_glsl, ldm_layout_glsl, ldm_turn_glsl}, pixels{version_glsl, hash_glsl, tree_share_glsl, ldm_glsl};
+  gl::Pieces vertex{version_glsl, hash_glsl, ldm_layout_glsl, ldm_turn_glsl},
+      pixels{version_glsl, hash_glsl, tree_share_glsl, ldm_glsl};
   vertex.insert(vertex.end(), host.vertex.begin(), host.vertex.end());
   vertex.push_back(ldm_vert);
   pixels.insert(pixels.end(), ways.begin(), ways.end());

@@ -59,10 +59,10 @@ struct DrawOptions {
 struct FrameCounts {
   std::uint64_t triangles = 0;  ///< submitted; of trees mosaics alone: the GPU chooses the others
   std::uint64_t buildings = 0, surfaces = 0, trees = 0, cars = 0, nodes = 0;
-  std::uint64_t commands = 0;        ///< of multi-draws
-  std::uint64_t bytes_to_bring = 0;  ///< of meshes in sight that wait for a later frame
+  std::uint64_t commands = 0;            ///< of multi-draws
+  std::uint64_t bytes_to_bring = 0;      ///< of meshes in sight that wait for a later frame
   std::uint64_t bytes_without_room = 0;  ///< of meshes in sight
-  double tree_error_px = 0;          ///< that was tolerated in trees, after the budget and what memory has room for
+  double tree_error_px = 0;              ///< that was tolerated in trees, after the budget and what memory has room for
   foliage::Law tree_law = foliage::Law::ours;  ///< ours in place of what there was no room for
 };
 
