@@ -54,14 +54,14 @@ std::vector<TradePoint> trade_points(std::span<const ErrorRow> rows, const Times
 /// 0.02, colour 0.005, structure as far from 1 as the floor's is; GMSD the floor's; all of it times `allowed`.
 double worst_over(const TradePoint& point, double allowed);
 
-/// The cheapest way that errs at most `allowed` times the floors, over all plants, heights and stands together.
+/// The cheapest way that errs at most `allowed` times the limits at every height of all plants together.
 struct Profile {
   std::string name;
   double allowed = 1;
   std::string law = "full";  ///< all detail, where nothing is within what is allowed
   double error_px = 0;
   std::uint64_t samples = 4;    ///< a pixel: 1 where all detail is then within what is allowed
-  double primitives_ratio = 1;  ///< of all detail's: geometric mean over heights and stands
+  double primitives_ratio = 1;  ///< of all detail's: geometric mean over heights
 };
 std::vector<Profile> choose_profiles(std::vector<TradePoint>& points);  ///< and notes them in the points
 

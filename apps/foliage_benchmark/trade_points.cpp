@@ -109,7 +109,7 @@ std::vector<Profile> choose_profiles(std::vector<TradePoint>& points) {
     std::map<std::pair<std::string, double>, OfWay> ways;
     double single = 0;
     for (const TradePoint& p : points) {
-      if (p.plant != kAllPlants && !is_stand(p.plant)) continue;
+      if (p.plant != kAllPlants) continue;
       if (p.law == "full") {
         single = std::max(single, worst_over(p, profile.allowed));
         continue;

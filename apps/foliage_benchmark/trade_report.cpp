@@ -185,9 +185,9 @@ std::string trade_md(std::span<const TradePoint> points, std::span<const Profile
       "alone), means with their 95 % interval; the limits are cover within 0.02, colour within 0.005, and structure no "
       "farther off than the floor: all detail moved by half a pixel, or sampled with 4 samples. Times are the median "
       "of paired runs in this process.\n\nA profile of quality is the way with the fewest primitives (geometric mean "
-      "over heights and stands) whose every error, with its interval, is under `allowed` times the limit at every "
-      "height of all plants together and on every stand. `cp DIR/quality.csv scenegraph/draw/` makes these the "
-      "walkthrough's.\n\n";
+      "over heights) whose every error, with its interval, is under `allowed` times the limit at every height of all "
+      "plants together; stands are shown beside, and do not decide. `cp DIR/quality.csv scenegraph/draw/` makes these "
+      "the walkthrough's.\n\n";
   std::vector<std::vector<std::string>> cells{
       {"profile", "allowed", "law", "error px", "samples", "primitives, of all detail's"}};
   for (const Profile& p : profiles)
