@@ -4,18 +4,21 @@ layout(location = 1) uniform uint samples;
 
 const uint kTile = 8u;
 
-// Spread more evenly over neighbours; shifted anew for every few pixels, so that two mosaics hide as much of each other
-// as chance would have it.  [Jimenez 2014, interleaved gradient noise]
-float even_number(uint hash) {
+// Drawn anew for every few pixels, so that two mosaics hide as much of each other as chance would have it.
+uint hash_of_tile(uint hash) {
   uvec2 tile = uvec2(gl_FragCoord.xy) / kTile;
-  float shift = fraction_of(mixed(hash + mixed(tile.x + mixed(tile.y))));
-  return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))) + shift);
+  return mixed(hash + mixed(tile.x + mixed(tile.y)));
+}
+
+// Spread more evenly over neighbours.  [Jimenez 2014, interleaved gradient noise]
+float even_number(uint hash) {
+  return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))) + fraction_of(hash));
 }
 
 // Both numbers are spread evenly over the pixel's samples. They must not depend on each other.
 uint shown_samples(float alpha) {
-  float choice = pixel_number(ldm_hash.x), covered = even_number(ldm_hash.y);
-  uint mask = 0u, turn = ldm_hash.y >> 7u;
+  uint hash = hash_of_tile(ldm_hash.y), mask = 0u, turn = hash & 31u;
+  float choice = pixel_number(ldm_hash.x), covered = even_number(hash);
   for (uint s = 0u; s < samples; ++s) {
     float part = sample_number(choice, s, samples);
     float cut = (float((s * 3u + turn) % samples) + covered) / float(samples);

@@ -101,6 +101,32 @@ TEST_CASE("packs: a crown covers what its leaves do from between the sides") {
   CHECK(log.messages().empty());
 }
 
+TEST_CASE("packs: four samples a pixel cover as much as many do") {
+  const gl::HeadlessContext context;
+  for (const char* species : {"broadleaf", "oak"}) {
+    const auto plants = plant_named(species);
+    Stage stage(plants, sites_of(plants));
+    Packs packs(packs_of(plants[0]));
+    const foliage::Run run{0, 1};
+    for (const double height_px : {16.0, 32.0}) {
+      double four = 0, many = 0;
+      for (int i = 0; i < 6; ++i) {
+        const Shot shot = shot_of(extent_of(plants[0]), 60 * (i + 0.37) * kDegree, (2 + 9 * i) * kDegree, height_px);
+        const auto cover = [&](Sampling sampling) {
+          double sum = 0;
+          for (const Vec4& texel :
+               stage.draw(packs.painter(stage, {&run, 1}, shot, Way::dithered), shot, sampling).texels)
+            sum += static_cast<double>(texel.w);
+          return sum;
+        };
+        four += cover(Sampling::product), many += cover(Sampling::fine);
+      }
+      CAPTURE(species, height_px);
+      CHECK(four / many == Approx(1).margin(0.02));
+    }
+  }
+}
+
 TEST_CASE("packs: another sun lights another side") {
   const gl::HeadlessContext context;
   const auto plants = plant_named("oak");
