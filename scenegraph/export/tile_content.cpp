@@ -82,6 +82,15 @@ void append(TileMesh& mesh, const MeshLayer& layer, const MeshRow& row, const Pl
     mesh.indices.push_back(base + layer.mesh.indices[i] - row.first);
 }
 
+namespace {
+
+/// The tree's object that is the layer's row.
+std::uint32_t object_of(const LayerTable& table, std::uint32_t row) {
+  return static_cast<std::uint32_t>(std::ranges::upper_bound(table.row_first, row) - table.row_first.begin() - 1);
+}
+
+}  // namespace
+
 BuildingRow building_row(const Scene& scene, std::uint32_t row) {
   const MeshRow mesh = row_of(scene.buildings, row);
   float low = std::numeric_limits<float>::infinity(), high = -low;
@@ -89,7 +98,12 @@ BuildingRow building_row(const Scene& scene, std::uint32_t row) {
     low = std::min(low, scene.buildings.mesh.vertices[i].position.z);
     high = std::max(high, scene.buildings.mesh.vertices[i].position.z);
   }
-  return {"building " + std::to_string(row), "", "building", high - low};
+  const AttributeRow said = scene.attributes.of(object_of(scene.buildings.table, row));
+  const auto text = [&](std::string_view name, std::string otherwise) {
+    const auto found = said.find(name);
+    return found && *found != "yes" ? std::string(*found) : otherwise;
+  };
+  return {text("id", "building " + std::to_string(row)), text("name", ""), text("building", "building"), high - low};
 }
 
 TileContent tile_content(const Scene& scene, const Tile& tile, std::span<const foliage::PreparedPlant> plants) {

@@ -57,6 +57,7 @@ struct MeshRow {
 };
 MeshRow row_of(const MeshLayer& layer, std::uint32_t row);
 
+/// Name, class and id as the file says them, where attributes were asked for; else by number.
 BuildingRow building_row(const Scene& scene, std::uint32_t row);
 
 /// As it is.

@@ -113,6 +113,24 @@ TEST_CASE("tiles: the leaves hold all buildings and trees with their heights") {
   CHECK(buildings == scene.buildings.table.size());
 }
 
+TEST_CASE("tiles: buildings have the names and classes that the file gives them") {
+  const Imported city = import_city(MANZANA_VILLAGE, {.cars = 0, .attributes = true}, {});
+  std::multiset<std::string> told, expected;
+  for (std::uint32_t row = 0; row < city.scene.buildings.table.size(); ++row) {
+    const BuildingRow building = building_row(city.scene, row);
+    CHECK(!building.id.empty());
+    CHECK(!building.kind.empty());
+    if (!building.name.empty()) told.insert(building.name);
+  }
+  for (std::uint32_t object = 0; object < city.scene.tree.objects(); ++object) {
+    const auto rows = city.scene.buildings.table.rows({object, object + 1});
+    if (rows.first == rows.last) continue;
+    if (const auto name = city.scene.attributes.of(object).find("name")) expected.emplace(*name);
+  }
+  CHECK(told == expected);
+  CHECK(!told.empty());
+}
+
 TEST_CASE("tiles: a tree stands where it stands in the scene as large and turned") {
   const Baked baked(MANZANA_VILLAGE);
   const Scene& scene = baked.city.scene;
