@@ -17,7 +17,7 @@ using foliage::PreparedPlant;
 constexpr std::array kLaws{Law::ours, Law::prune, Law::ramp, Law::points_and_lines, Law::levels};
 
 std::vector<Setting> settings_of(bool quick) {
-  std::vector<double> ours{0.35, 0.5, 0.85, 1, 1.4, 2, 4}, others{1};
+  std::vector<double> ours{0.25, 0.35, 0.5, 0.85, 1, 1.4, 2, 4}, others{1};
   if (!quick) ours = {0.25, 0.35, 0.5, 0.7, 0.85, 1, 1.2, 1.4, 2, 2.8, 4, 8}, others = {0.5, 1, 2, 4};
   std::vector<Setting> settings;
   for (const Law law : kLaws)
