@@ -36,6 +36,7 @@ CityWidget::CityWidget(QWidget* parent) : QOpenGLWidget(parent), view_(host_of(t
 CityWidget::~CityWidget() {
   if (loader_.joinable()) loader_.join();
   if (context() == nullptr) return;
+  context()->disconnect(this);  // the base destroys the context when view_ is no more
   makeCurrent();
   view_.release();
   doneCurrent();
