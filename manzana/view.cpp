@@ -56,7 +56,8 @@ void set_depth(draw::Overlay& overlay, const HostCamera& host, const draw::Camer
     return;
   }
   const double at_infinity = host.projection[2][2] / host.projection[2][3];
-  const double growth = host.projection[3][2] / camera.view_projection[3][2];
+  const glm::dvec4 w = glm::transpose(host.projection * host.view)[3];
+  const double growth = host.projection[3][2] / (camera.view_projection[3][2] * glm::length(Vec3d(w)));
   const bool halved = host.depth == ClipDepth::minus_one_to_one;
   overlay.depth_scale = halved ? growth / 2 : growth;
   overlay.depth_offset = halved ? (at_infinity + 1) / 2 : at_infinity;

@@ -1,5 +1,5 @@
 // What the three ways of drawing a plant's primitives have in common. The host of the plants supplies, before this:
-//   vec4 clip_position(vec3 rel);                     rel: metres relative to the eye
+//   vec4 clip_position(vec3 rel);                     rel: metres relative to the eye; w: metres along the view
 //   void plant_light(vec3 rel, vec3 normal, float shade, float leaf, float tint, out vec3 light, out vec3 air);
 //                                                     what arrives at the eye is albedo * light + air, linear
 //   vec3 plant_film(vec3 arriving);                   what the picture shows of that
@@ -14,6 +14,15 @@ layout(location = 0) uniform float focal_px;
 layout(location = 2) uniform vec4 wind;  // where it blows to, level, times its strength; w: time, seconds
 
 const vec4 kNowhere = vec4(2.0, 2.0, 2.0, 1.0);  // outside of every picture, for what is not drawn
+
+// Metres along the view; what is behind the eye is clipped, whatever it is given here.
+float depth_of(vec3 rel, vec4 clip) { return max(clip.w, 0.01 * length(rel)); }
+
+// What a square metre that faces the eye has of a flat picture: towards the border more, by 1 / cos^3 of the angle.
+float facing_pixels(vec3 rel, float depth) {
+  float f = focal_px / depth;
+  return f * f * length(rel) / depth;
+}
 
 vec3 place(TreeRecord tree, vec3 p) {
   vec4 q = vec4(p, 1.0);

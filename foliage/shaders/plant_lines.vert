@@ -31,7 +31,7 @@ void main() {
   vec3 a = swayed(tree, line.a.xyz, level), b = swayed(tree, line.b.xyz, level), rel = swayed(tree, end.xyz, level);
   vec3 side = cross(b - a, rel);
   side /= max(length(side), 1e-20);
-  float width = end.w * sqrt(scales2(tree).x), least = 0.5 * length(rel) / focal_px;
+  float width = end.w * sqrt(scales2(tree).x), least = 0.5 * depth_of(rel, clip_position(rel)) / focal_px;
   float drawn = max(width, least), across = corner < 2u ? -1.0 : 1.0;
   vec3 towards = normalize(cross(side, b - a));
   if (dot(towards, rel) > 0.0) towards = -towards;

@@ -27,7 +27,8 @@ void main() {
   out_share = share_of(tree);
   vec3 rel = swayed(tree, point.position_area.xyz, point.rest.x);
   vec2 s = scales2(tree);
-  float pixels = point.position_area.w * item.scale * sqrt(s.x * s.y) * focal_px * focal_px / dot(rel, rel);
+  gl_Position = clip_position(rel);
+  float pixels = point.position_area.w * item.scale * sqrt(s.x * s.y) * facing_pixels(rel, depth_of(rel, gl_Position));
   pixels *= clamp((item.edge - float(rank)) / item.fade, 0.0, 1.0);
   out_alpha = min(pixels, 1.0);  // less than a pixel is drawn as a part of one
   out_hash = mixed(tree.hash + rank);
@@ -37,6 +38,5 @@ void main() {
   // Film is not linear: what the point is the mean of is on it as two halves, one lighter and one darker.
   vec3 mean = plant_albedo(srgb) * light, off = mean * (float(point.rest.y >> 24u) * (1.0 / 255.0));
   out_colour = 0.5 * (plant_film(mean + off + air) + plant_film(mean - off + air));
-  gl_Position = clip_position(rel);
   gl_PointSize = sqrt(max(pixels, 1.0));
 }

@@ -43,7 +43,7 @@ glm::dmat3 linear_part(const Vec4d& x, const Vec4d& y, const Vec4d& w) {
 
 void set_perspective(Camera& camera, const Mat4d& projection, const Mat4d& clip, ClipDepth depth) {
   const Vec4d x(Vec3d(row(clip, 0)), 0), y(Vec3d(row(clip, 1)), 0), w(Vec3d(row(clip, 3)), 0);
-  camera.view_projection = from_rows(x, y, {0, 0, 0, nearest_w(projection, depth)}, w);
+  camera.view_projection = from_rows(x, y, {0, 0, 0, nearest_w(projection, depth)}, w) / glm::length(w);
   const glm::dmat3 linear = linear_part(x, y, w);
   camera.mirrored = glm::determinant(linear) > 0;
   set_rays(camera, linear);
@@ -62,7 +62,8 @@ void set_orthographic(Camera& camera, const Mat4d& clip, ClipDepth depth, double
   const Vec4d eye(camera.eye, 1);
   const auto moved = [&](const Vec4d& r) { return Vec4d(Vec3d(r), glm::dot(r, eye)); };
   camera.view_projection = from_rows(moved(row(clip, 0)), moved(row(clip, 1)),
-                                     moved(reversed(row(clip, 2), row(clip, 3), depth)), row(clip, 3));
+                                     moved(reversed(row(clip, 2), row(clip, 3), depth)), row(clip, 3)) *
+                           (behind / clip[3][3]);
   const glm::dmat3 linear = linear_part(row(clip, 0), row(clip, 1), Vec4d(forward, 0));
   camera.mirrored = glm::determinant(linear) > 0;
   set_rays(camera, linear);

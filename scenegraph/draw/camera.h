@@ -12,7 +12,8 @@ namespace manzana::draw {
 struct Camera {
   Vec3d eye{0};                ///< drawn positions are relative to it. Of an orthographic view: far behind, so that the
                                ///< distance from it, on which detail depends, is about the same for all that is seen
-  Mat4d view_projection{1};    ///< of positions relative to the eye; reversed depth
+  Mat4d view_projection{1};    ///< of positions relative to the eye; reversed depth; w: metres along the view, of an
+                               ///< orthographic one the distance of its eye
   Vec3d ray_forward{0, 1, 0};  ///< the ray of a pixel is forward + x right + y up, with x and y in -1..1
   Vec3d ray_right{1, 0, 0}, ray_up{0, 0, 1};
   culling::FrustumD frustum;

@@ -1,8 +1,10 @@
 // Plants on the stage: how large they are in the picture, and what a still camera sees twice.
 #include <catch2/catch.hpp>
+#include <numbers>
 
 #include "apps/foliage_benchmark/errors.h"
 #include "apps/foliage_benchmark/fixed_detail.h"
+#include "apps/foliage_benchmark/forest.h"
 #include "apps/foliage_benchmark/popping.h"
 #include "foliage/generate.h"
 #include "foliage/import/species.h"
@@ -68,6 +70,32 @@ TEST_CASE("stage: the same shot twice is the same picture and half a pixel besid
   CHECK(beside.ssim < 0.99);
   const ImageError far = image_error(once, stage.draw({0, 1}, moved(shot, 4), {}));
   CHECK(far.ssim < beside.ssim);
+}
+
+TEST_CASE("stage: points and lines cover what leaves and branches do at the border of a wide picture too") {
+  const gl::HeadlessContext context;
+  const std::vector<foliage::PreparedPlant> oak{prepare(grow_plant(foliage::builtin_species("oak"), 1))};
+  Stage stage(oak, sites_of(oak));
+  const double height = static_cast<double>(oak.front().height_m);
+  for (const double aside : {0.0, 0.55, 0.95}) {
+    double full = 0, ours = 0;
+    for (int side = 0; side < 6; ++side) {
+      const double azimuth = side * std::numbers::pi / 3;
+      const Vec3d to(std::cos(azimuth), std::sin(azimuth), 0), beside(to.y, -to.x, 0);
+      Shot shot = screen_shot(Vec3d(0, 0, height / 2) - to * (8 * height), to - aside * beside, 200);
+      shot.fine = 8;
+      const auto cover = [&](foliage::Law law) {
+        stage.set_law(law);
+        double sum = 0;
+        for (const Vec4& texel : stage.draw({0, 1}, shot, {}).texels) sum += static_cast<double>(texel.w);
+        return sum;
+      };
+      full += cover(foliage::Law::full), ours += cover(foliage::Law::ours);
+    }
+    CAPTURE(aside, full, ours);
+    CHECK(full > 100);
+    CHECK(ours / full == Approx(1).margin(0.03));
+  }
 }
 
 TEST_CASE("errors: full detail has none and floors are the worse of two") {
