@@ -15,16 +15,7 @@ MeshSet upload_meshes() {
     all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
     all.indices.insert(all.indices.end(), mesh.indices.begin(), mesh.indices.end());
   }
-  MeshSet set = make_mesh_set(std::as_bytes(std::span(all.vertices)), sizeof(CarVertex), all.indices, meshes);
-  const GLuint array = set.array.name();
-  for (GLuint attribute = 0; attribute < 3; ++attribute) {
-    glEnableVertexArrayAttrib(array, attribute);
-    glVertexArrayAttribBinding(array, attribute, 0);
-  }
-  glVertexArrayAttribFormat(array, 0, 3, GL_FLOAT, GL_FALSE, offsetof(CarVertex, position));
-  glVertexArrayAttribFormat(array, 1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, offsetof(CarVertex, normal));
-  glVertexArrayAttribIFormat(array, 2, 1, GL_UNSIGNED_INT, offsetof(CarVertex, part));
-  return set;
+  return make_mesh_set(all.vertices, all.indices, meshes);
 }
 
 }  // namespace

@@ -20,16 +20,27 @@ void describe_instances(GLuint array) {
   glVertexArrayBindingDivisor(array, kInstanceBinding, 1);
 }
 
+void describe_vertices(GLuint array) {
+  for (GLuint attribute = 0; attribute < 3; ++attribute) {
+    glEnableVertexArrayAttrib(array, attribute);
+    glVertexArrayAttribBinding(array, attribute, kMeshBinding);
+  }
+  glVertexArrayAttribFormat(array, 0, 3, GL_FLOAT, GL_FALSE, 0);
+  glVertexArrayAttribFormat(array, 1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, 12);
+  glVertexArrayAttribIFormat(array, 2, 1, GL_UNSIGNED_INT, 16);
+}
+
 }  // namespace
 
-MeshSet make_mesh_set(std::span<const std::byte> vertices, int stride, std::span<const std::uint32_t> indices,
+MeshSet make_mesh_set(std::span<const std::byte> vertices, std::span<const std::uint32_t> indices,
                       std::vector<MeshRange> meshes) {
   MeshSet set;
   set.vertices = gl::make_buffer(vertices);
   set.indices = gl::make_buffer(std::as_bytes(indices));
   set.meshes = std::move(meshes);
   set.array = gl::make_vertex_array(set.indices);
-  glVertexArrayVertexBuffer(set.array.name(), kMeshBinding, set.vertices.name(), 0, stride);
+  glVertexArrayVertexBuffer(set.array.name(), kMeshBinding, set.vertices.name(), 0, kMeshVertexBytes);
+  describe_vertices(set.array.name());
   describe_instances(set.array.name());
   return set;
 }

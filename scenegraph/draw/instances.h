@@ -4,6 +4,7 @@
 ///   MeshSet set = make_mesh_set(...);                            // once
 ///   Instance* slots = begin_instances(counts, stream, draw);    // sorted places: bin b starts at draw.first[b]
 ///   draw_instances(set, draw, stream);
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -25,14 +26,22 @@ struct MeshRange {
   std::int32_t base_vertex = 0;
 };
 
-/// Meshes resident on the GPU. Attributes 4..7 are the instance's; the owner of the set describes 0..3.
+/// Meshes resident on the GPU. Attributes 0 to 2: position, normal, a word of the owner's; 4 to 7 are the instance's.
 struct MeshSet {
   gl::VertexArray array;
   gl::Buffer vertices, indices;
   std::vector<MeshRange> meshes;
 };
-MeshSet make_mesh_set(std::span<const std::byte> vertices, int stride, std::span<const std::uint32_t> indices,
+/// Of vertices that are a Vec3, a signed normalised 10-10-10-2 and a word.
+inline constexpr std::size_t kMeshVertexBytes = 20;
+MeshSet make_mesh_set(std::span<const std::byte> vertices, std::span<const std::uint32_t> indices,
                       std::vector<MeshRange> meshes);
+template <class Vertex>
+MeshSet make_mesh_set(const std::vector<Vertex>& vertices, std::span<const std::uint32_t> indices,
+                      std::vector<MeshRange> meshes) {
+  static_assert(sizeof(Vertex) == kMeshVertexBytes && offsetof(Vertex, normal) == 12);
+  return make_mesh_set(std::as_bytes(std::span(vertices)), indices, std::move(meshes));
+}
 
 /// Instances of a frame by mesh: counting sort. Reserved once.
 struct InstanceBins {

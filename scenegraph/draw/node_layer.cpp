@@ -11,17 +11,7 @@ std::size_t bytes_of(const NodeMesh& mesh) {
 }
 
 MeshSet upload(const NodeMesh& mesh) {
-  MeshSet set = make_mesh_set(std::as_bytes(std::span(mesh.vertices)), sizeof(NodeVertex), mesh.indices,
-                              {{0, static_cast<std::uint32_t>(mesh.indices.size()), 0}});
-  const GLuint array = set.array.name();
-  for (GLuint attribute = 0; attribute < 3; ++attribute) {
-    glEnableVertexArrayAttrib(array, attribute);
-    glVertexArrayAttribBinding(array, attribute, 0);
-  }
-  glVertexArrayAttribFormat(array, 0, 3, GL_FLOAT, GL_FALSE, offsetof(NodeVertex, position));
-  glVertexArrayAttribFormat(array, 1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, offsetof(NodeVertex, normal));
-  glVertexArrayAttribIFormat(array, 2, 1, GL_UNSIGNED_INT, offsetof(NodeVertex, colour));
-  return set;
+  return make_mesh_set(mesh.vertices, mesh.indices, {{0, static_cast<std::uint32_t>(mesh.indices.size()), 0}});
 }
 
 Vec4 paint_of(const SeenNode& node) { return node.colour ? Vec4(foliage::linear_of_rgb(*node.colour), 1) : Vec4(0); }

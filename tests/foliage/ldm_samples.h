@@ -5,6 +5,12 @@
 
 namespace manzana::foliage {
 
+inline Vec3 random_direction(support::Random& random) {
+  Vec3 d(0);
+  while (glm::length(d) < 0.1F) d = Vec3(random.within(-1, 1), random.within(-1, 1), random.within(-1, 1));
+  return glm::normalize(d);
+}
+
 /// Blobs of leaves in every layer, some of them over each other.
 inline LdmImage blobs(int layers, std::uint64_t seed, int count = 60) {
   LdmImage image(layers);
