@@ -20,18 +20,24 @@ enum class Structure : std::uint8_t { bqr, none };
 struct VisibleSets {
   explicit VisibleSets(const Scene& scene);
   /// Of the tree, rising, disjoint; LayerTable::rows makes a layer's rows of them.
-  std::span<const culling::ObjectRun> objects() const { return answer.objects().first(city_runs); }
+  std::span<const culling::ObjectRun> objects() const {
+    return kept ? std::span<const culling::ObjectRun>(kept_objects) : answer.objects().first(city_runs);
+  }
   /// In no order, disjoint.
   std::span<const culling::LeafRun> blocks() const {
+    if (kept) return kept_blocks;
     return with_nodes ? std::span<const culling::LeafRun>(city_blocks) : answer.blocks();
   }
   /// Of what a host has put there: Nodes::find.
   std::span<const culling::ObjectRun> nodes() const { return answer.objects().subspan(city_runs); }
 
   culling::Answer answer;
-  std::size_t city_runs = 0;                          ///< of the answer; what follows are nodes
-  bool with_nodes = false;                            ///< the answer is about a tree with nodes
-  std::vector<culling::LeafRun> city_blocks;          ///< of it those that are the city's
+  std::size_t city_runs = 0;                  ///< of the answer; what follows are nodes
+  bool with_nodes = false;                    ///< the answer is about a tree with nodes
+  std::vector<culling::LeafRun> city_blocks;  ///< of it those that are the city's
+  bool kept = false;                          ///< only a part of the answer is seen: scenegraph/horizon.h
+  std::vector<culling::LeafRun> kept_blocks;  ///< that part
+  std::vector<culling::ObjectRun> kept_objects;
   culling::FrustumD frustum;                          ///< of the last view
   culling::ClassMask classes = culling::kAllClasses;  ///< what is looked for: scenegraph/classes.h
   std::vector<CarState> cars;

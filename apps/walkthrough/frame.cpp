@@ -60,7 +60,7 @@ bool add_packs(Stage& stage) {
 
 Stage::Stage(const Scene& city, std::span<const foliage::PreparedPlant> plants, const draw::Quality& quality,
              draw::Size first_size, std::size_t gpu_bytes)
-    : scene(city), renderer(city, plants, quality, gpu_bytes), sets(city), size(first_size) {
+    : scene(city), renderer(city, plants, quality, gpu_bytes), sets(city), horizon(city), size(first_size) {
   options.tree_error_px = quality.tree_error_px;
   options.tree_law = quality.tree_law;
   renderer.resize(size);
@@ -88,8 +88,11 @@ FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {
   FrameRow row;
   Stopwatch watch;
   find_visible(stage.scene, seen_by, stage.structure, stage.sets);
+  const bool hide = stage.structure == Structure::bqr && stage.options.layers.buildings;
+  if (hide) stage.horizon.hide(stage.scene, seen_by.eye, stage.sets);
   row.cull_us = watch.lap() * 1e6;
   find_cars(stage.scene, ticks(seconds), stage.sets);
+  if (hide) stage.horizon.hide_cars(stage.sets);
   row.update_us = watch.lap() * 1e6;
   stage.options.seconds = seconds;
   stage.timer.begin();

@@ -11,6 +11,7 @@
 #include "foliage/time_budget.h"
 #include "gl/frame_timer.h"
 #include "scenegraph/draw/renderer.h"
+#include "scenegraph/horizon.h"
 #include "scenegraph/visible.h"
 
 namespace manzana::walkthrough {
@@ -25,6 +26,7 @@ struct Stage {
   const Scene& scene;
   draw::Renderer renderer;
   VisibleSets sets;
+  Horizon horizon;
   draw::Size size;
   Structure structure = Structure::bqr;
   draw::DrawOptions options;       ///< with options.frozen set, that view culls and `view` looks at it from outside

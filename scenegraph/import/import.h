@@ -53,11 +53,12 @@ struct TreeColumns {
 CityFeatures read_tree_list(const std::filesystem::path& file, const TreeColumns& columns,
                             const ImportOptions& options);
 
-/// The built-in town: made up, the same for a seed on every machine.
-CityFeatures make_town(std::uint64_t seed);
+/// The built-in town: made up, the same for a seed on every machine. `times`, at least 1: about as large in area, with
+/// the town in its middle.
+CityFeatures make_town(std::uint64_t seed, double times = 1);
 
-/// `city` is "builtin:town" or a file: .osm, .osm.gz, .osm.bz2, .osm.pbf; .city.json, .jsonl, .json of CityJSON.
-/// Throws as read_osm does.
+/// `city` is "builtin:town", "builtin:town:10" (ten times as large) or a file: .osm, .osm.gz, .osm.bz2, .osm.pbf;
+/// .city.json, .jsonl, .json of CityJSON. Throws as read_osm does.
 CityFeatures read_city(const std::string& city, const ImportOptions& options, const Progress& progress);
 
 /// Several sources make one city, in the frame of the first. What lies farther than 300 km from there is left out, and

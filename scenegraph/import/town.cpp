@@ -13,7 +13,7 @@
 namespace manzana {
 namespace {
 
-constexpr int kColumns = 17, kRows = 13;  // cells
+constexpr int kColumns = 17, kRows = 13;  // cells of the town as it is
 constexpr int kRiverRow = 5;              // the cells that the river takes
 constexpr int kBridgeEvery = 3;
 constexpr double kPi = 3.14159265358979323846;
@@ -33,20 +33,32 @@ struct Street {
 constexpr Street kAvenue{15, 4, StreetClass::primary}, kQuay{10, 2, StreetClass::secondary},
     kLane{7, 2, StreetClass::residential}, kDiagonal{17, 4, StreetClass::primary};
 
-Street column_street(int i) { return i % 6 == 3 ? kAvenue : kLane; }
-Street row_street(int j) { return j == kRiverRow || j == kRiverRow + 1 ? kQuay : j == 9 || j == 2 ? kAvenue : kLane; }
+int modulo(int i, int n) { return (i % n + n) % n; }
+Street column_street(int i) { return modulo(i, 6) == 3 ? kAvenue : kLane; }
+Street row_street(int j) { return j == kRiverRow || j == kRiverRow + 1 ? kQuay : modulo(j, 7) == 2 ? kAvenue : kLane; }
 
 class Town {
  public:
-  explicit Town(std::uint64_t seed) : seed_(seed) { city_.frame = LocalFrame({41.65, -0.88, 0}); }
+  /// `times`: as large in area, by more houses all round.
+  Town(std::uint64_t seed, double times) : seed_(seed) {
+    city_.frame = LocalFrame({41.65, -0.88, 0});
+    const double wider = (std::sqrt(times) - 1) / 2;
+    const int columns = static_cast<int>(std::lround(kColumns * wider)),
+              rows = static_cast<int>(std::lround(kRows * wider));
+    all_ = {-columns, -rows, kColumns + columns, kRows + rows};
+  }
   CityFeatures build() {
     streets();
     river();
     park();
     wood();
     square();
-    for (int j = 0; j < kRows; ++j)
-      for (int i = 0; i < kColumns; ++i) cell(i, j);
+    constexpr CellRange kTown{0, 0, kColumns, kRows};
+    for (int j = kTown.j0; j < kTown.j1; ++j)
+      for (int i = kTown.i0; i < kTown.i1; ++i) cell(i, j);
+    for (int j = all_.j0; j < all_.j1; ++j)
+      for (int i = all_.i0; i < all_.i1; ++i)
+        if (!kTown.holds(i, j)) cell(i, j);
     return std::move(city_);
   }
 
@@ -67,7 +79,7 @@ class Town {
   // A stretch of street between neighbouring corners is missing inside the park and the wood, and over the river but
   // where there is a bridge.
   bool column_gap(int i, int j) const {
-    return (open(i - 1, j) && open(i, j)) || (j == kRiverRow && i % kBridgeEvery != 0);
+    return (open(i - 1, j) && open(i, j)) || (j == kRiverRow && modulo(i, kBridgeEvery) != 0);
   }
   bool row_gap(int i, int j) const { return open(i, j - 1) && open(i, j); }
 
@@ -87,11 +99,11 @@ class Town {
     city_.streets.push_back(std::move(f));
   }
 
-  // One line of the grid: broken at gaps, with bridges as streets of their own.
+  // One line of the grid, from k0 to k1: broken at gaps, with bridges as streets of their own.
   template <class Gap, class Corner>
-  void line(const Street& s, int n, const std::string& where, Gap gap, Corner at) {
-    std::vector<std::pair<int, int>> run{at(0)};
-    for (int k = 0; k < n; ++k) {
+  void line(const Street& s, int k0, int k1, const std::string& where, Gap gap, Corner at) {
+    std::vector<std::pair<int, int>> run{at(k0)};
+    for (int k = k0; k < k1; ++k) {
       const bool bridge = over_river(at(k), at(k + 1));
       if (gap(k) || bridge) add_street(s, std::exchange(run, {}), false, where);
       if (bridge && !gap(k)) add_street(s, {at(k), at(k + 1)}, true, where + ", bridge");
@@ -107,16 +119,16 @@ class Town {
   }
 
   void streets() {
-    for (int i = 0; i <= kColumns; ++i)
+    for (int i = all_.i0; i <= all_.i1; ++i)
       line(
-          column_street(i), kRows, "column " + std::to_string(i), [&](int j) { return column_gap(i, j); },
+          column_street(i), all_.j0, all_.j1, "column " + std::to_string(i), [&](int j) { return column_gap(i, j); },
           [&](int j) { return std::pair(i, j); });
-    for (int j = 0; j <= kRows; ++j)
+    for (int j = all_.j0; j <= all_.j1; ++j)
       line(
-          row_street(j), kColumns, "row " + std::to_string(j), [&](int i) { return row_gap(i, j); },
+          row_street(j), all_.i0, all_.i1, "row " + std::to_string(j), [&](int i) { return row_gap(i, j); },
           [&](int i) { return std::pair(i, j); });
     line(
-        kDiagonal, kRows, "diagonal avenue", [](int) { return false; },
+        kDiagonal, all_.j0, all_.j1, "diagonal avenue", [](int) { return false; },
         [](int k) { return std::pair(k + kDiagonalColumn, k); });
     avenue_trees();
   }
@@ -149,7 +161,7 @@ class Town {
 
   void river() {
     std::vector<Vec2d> north, south;
-    for (int i = -4; i <= kColumns + 4; ++i) {
+    for (int i = all_.i0 - 4; i <= all_.i1 + 4; ++i) {
       const Vec2d a = corner(i, kRiverRow), b = corner(i, kRiverRow + 1);
       const Vec2d middle = (a + b) / 2.0, half = glm::normalize(b - a) * 19.0;
       north.push_back(middle + half);
@@ -251,11 +263,12 @@ class Town {
   }
 
   std::uint64_t seed_;
+  CellRange all_{};
   CityFeatures city_;
 };
 
 }  // namespace
 
-CityFeatures make_town(std::uint64_t seed) { return Town(seed).build(); }
+CityFeatures make_town(std::uint64_t seed, double times) { return Town(seed, times).build(); }
 
 }  // namespace manzana

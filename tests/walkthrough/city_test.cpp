@@ -1,6 +1,8 @@
 // The built-in town through the whole way, drawn: what the project promises of it, and that it may lie anywhere.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "apps/common/quantile.h"
 #include "apps/walkthrough/builtin_paths.h"
@@ -81,4 +83,24 @@ TEST_CASE("city: at the pole and on the antimeridian the pictures are the same")
       CHECK(different < a.size() / 100);  // edges of leaves and windows fall a little otherwise
     }
   }
+}
+
+// docs/measurements.md has the times; these are counts, the same on every machine.
+TEST_CASE("city: a town ten times as large holds at most 1.3 times the bytes at the same street corner") {
+  const gl::HeadlessContext context;
+  std::array<double, 2> bytes{}, triangles{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Imported city = import_city(i == 0 ? "builtin:town" : "builtin:town:10", {}, {});
+    Stage stage(city.scene, own_plants(city.scene), draw::quality_for("llvmpipe"), {320, 180});
+    for (int k = 0; k < 8; ++k) {
+      const Vec3d eye{-4.6, -17.7, 1.8}, ahead{std::cos(0.2 + 0.785 * k), std::sin(0.2 + 0.785 * k), 0};
+      const CameraPose pose{eye, eye + 50.0 * ahead};
+      triangles[i] +=
+          static_cast<double>(draw_frame(stage, view_of(city.scene.frame, pose, stage.aspect()), 5).triangles);
+    }
+    bytes[i] = static_cast<double>(stage.renderer.memory().sum());
+  }
+  INFO("bytes " << bytes[0] << " and " << bytes[1] << ", triangles " << triangles[0] << " and " << triangles[1]);
+  CHECK(bytes[1] <= 1.3 * bytes[0]);
+  CHECK(triangles[1] <= 1.5 * triangles[0]);
 }

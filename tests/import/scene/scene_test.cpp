@@ -250,6 +250,17 @@ TEST_CASE("scene: nothing at all is a scene too") {
   CHECK_THROWS_WITH(import_city("builtin:city", {}, {}), Catch::Contains("builtin:town"));
 }
 
+TEST_CASE("scene: a town ten times as large has the town in its middle") {
+  const CityFeatures town = make_town(1), large = make_town(1, 10);
+  CHECK(large.buildings.size() > 8 * town.buildings.size());
+  CHECK(large.buildings.size() < 12 * town.buildings.size());
+  const std::size_t first = 3;  // after the church
+  for (std::size_t i = first; i < town.buildings.size(); i += 97)
+    CHECK(large.buildings[i].footprint.outer == town.buildings[i].footprint.outer);
+  for (const char* name : {"builtin:town:", "builtin:town:0", "builtin:town:1e9", "builtin:town:ten", "builtin:towns"})
+    CHECK_THROWS_WITH(read_city(name, {}, {}), Catch::Contains("builtin:town:10"));
+}
+
 TEST_CASE("scene: the village shows all that is read") {
   const Imported village = import_city(MANZANA_VILLAGE, {}, {});
   CHECK(village.issues.empty());

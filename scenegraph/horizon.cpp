@@ -1,0 +1,275 @@
+#include "scenegraph/horizon.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace manzana {
+
+using culling::LeafRun;
+using culling::ObjectRun;
+
+namespace {
+
+constexpr std::size_t kColumns = 4096;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// What floats, and the lean of walls against L's up, may be wrong by: of elevations and distances, relative.
+constexpr float kMargin = 2e-3F;
+constexpr float kLeastAway =
+    0.1F;  // metres of the eye from a wall's plane: nearer ones are seen too much from the side
+
+/// Rises with the angle of p, from 0 to 4 in a turn: no arc tangent is needed.
+float turn_of(const Vec2& p) {
+  const float t = p.x / (std::abs(p.x) + std::abs(p.y));
+  return p.y >= 0 ? 1 - t : 3 + t;
+}
+
+Vec2 direction_of(double turn) {
+  const double x = turn <= 2 ? 1 - turn : turn - 3, y = turn <= 2 ? 1 - std::abs(x) : std::abs(x) - 1;
+  return Vec2(glm::normalize(Vec2d(x, y)));
+}
+
+constexpr float kColumnsATurn = static_cast<float>(kColumns) / 4;
+
+std::size_t wrapped(std::int64_t column) {
+  return static_cast<std::size_t>((column % static_cast<std::int64_t>(kColumns) + static_cast<std::int64_t>(kColumns)) %
+                                  static_cast<std::int64_t>(kColumns));
+}
+
+/// From `from`, counter-clockwise, -2 to 2.
+float turned(float from, float to) {
+  const float t = to - from;
+  return t > 2 ? t - 4 : t < -2 ? t + 4 : t;
+}
+
+bool is_wall(const CityVertex& v) { return static_cast<Material>(v.colour >> 24) == Material::wall; }
+bool same_place(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y; }
+
+/// Of two triangles that make an upright rectangle, or trapezium, the corners: low left, low right, top right and left.
+std::optional<std::array<const CityVertex*, 4>> upright(const CityMesh& mesh, std::size_t i) {
+  const std::uint32_t* k = &mesh.indices[i];
+  if (k[3] != k[0] || k[4] != k[2]) return {};
+  const std::array<const CityVertex*, 4> q{&mesh.vertices[k[0]], &mesh.vertices[k[1]], &mesh.vertices[k[2]],
+                                           &mesh.vertices[k[5]]};
+  const bool stands = is_wall(*q[0]) && same_place(q[0]->position, q[3]->position) &&
+                      same_place(q[1]->position, q[2]->position) && q[0]->position.z < q[3]->position.z &&
+                      q[1]->position.z < q[2]->position.z;
+  return stands ? std::optional(q) : std::nullopt;
+}
+
+float plan_distance(const Vec3& min, const Vec3& max) {
+  const Vec2 nearest(std::max({min.x, -max.x, 0.0F}), std::max({min.y, -max.y, 0.0F}));
+  return glm::length(nearest);
+}
+
+void append(std::vector<ObjectRun>& runs, const ObjectRun& run) {
+  if (!runs.empty() && runs.back().last == run.first)
+    runs.back().last = run.last;
+  else
+    runs.push_back(run);
+}
+
+template <class Near>
+void put_nearest_first(std::vector<Near>& all) {
+  std::sort(all.begin(), all.end(), [](const Near& a, const Near& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.number < b.number;
+  });
+}
+
+void put_in_order(std::vector<ObjectRun>& runs) {
+  std::sort(runs.begin(), runs.end(), [](const ObjectRun& a, const ObjectRun& b) { return a.first < b.first; });
+  std::size_t n = 0;
+  for (const ObjectRun& run : runs) {
+    if (n > 0 && runs[n - 1].last == run.first)
+      runs[n - 1].last = run.last;
+    else
+      runs[n++] = run;
+  }
+  runs.resize(n);
+}
+
+/// Of an object of the tree, in L; all of space where no layer has it.
+culling::BoxD box_of(const Scene& scene, std::uint32_t object) {
+  for (const LayerTable* table : {&scene.trees.table, &scene.buildings.table, &scene.surfaces.table}) {
+    const std::uint32_t row = table->row_first[object];
+    if (row == table->row_first[object + 1]) continue;
+    return {Vec3d(table->boxes[row].min) + scene.tree.origin, Vec3d(table->boxes[row].max) + scene.tree.origin};
+  }
+  return {Vec3d(-kInfinity), Vec3d(kInfinity)};
+}
+
+}  // namespace
+
+std::vector<Horizon::Wall> upright_walls(const Scene& scene, std::uint32_t building) {
+  const MeshLayer& layer = scene.buildings;
+  std::vector<Horizon::Wall> walls;
+  for (std::size_t i = layer.index_first[building]; i + 6 <= layer.index_first[building + 1]; i += 3) {
+    const auto q = upright(layer.mesh, i);
+    if (!q) continue;
+    std::array<Vec3d, 4> p;
+    for (std::size_t k = 0; k < 4; ++k) p[k] = scene.blocks[(*q)[k]->block].axes * Vec3d((*q)[k]->position);
+    const Vec2 a(p[0]), b(p[1]);
+    walls.push_back({a, b, static_cast<float>(std::max(p[0].z, p[1].z)), static_cast<float>(std::min(p[2].z, p[3].z)),
+                     !walls.empty() && walls.back().b == a});
+    i += 3;
+  }
+  return walls;
+}
+
+Horizon::Horizon(const Scene& scene) : columns_(kColumns), walls_(scene.buildings.table.size()) {
+  for (std::size_t i = 0; i <= kColumns; ++i) edges_.push_back(direction_of(4.0 * static_cast<double>(i) / kColumns));
+  const culling::BqrTree& tree = scene.tree;
+  for (std::uint32_t b = 0; b < tree.blocks(); ++b) {
+    culling::BoxD box = lane_box(tree.nodes[tree.place[b] / culling::kLanes], tree.place[b] % culling::kLanes);
+    box.min += tree.origin;
+    box.max += tree.origin;
+    boxes_.push_back(box);
+  }
+  near_.reserve(boxes_.size());
+}
+
+const std::vector<Horizon::Wall>& Horizon::walls_of(const Scene& scene, std::uint32_t building) {
+  auto& walls = walls_[building];
+  if (!walls) walls = upright_walls(scene, building);
+  return *walls;
+}
+
+void Horizon::list_blocks(const VisibleSets& sets) {
+  near_.clear();
+  for (const LeafRun& run : sets.answer.blocks())
+    for (std::uint32_t b = run.first; b < run.last; ++b)
+      near_.push_back({plan_distance(Vec3(boxes_[b].min - eye_), Vec3(boxes_[b].max - eye_)), b, run.planes});
+  put_nearest_first(near_);
+}
+
+void Horizon::hide(const Scene& scene, const Vec3d& eye, VisibleSets& sets) {
+  assert(!sets.with_nodes);
+  eye_ = eye;
+  std::fill(columns_.begin(), columns_.end(), Column{});
+  list_blocks(sets);
+  sets.kept = true;
+  sets.kept_blocks.clear();
+  sets.kept_objects.clear();
+  for (const Near& near : near_) {
+    if (hidden(boxes_[near.number])) continue;
+    sets.kept_blocks.push_back({near.number, near.number + 1, near.planes});
+    keep_objects(scene, near.number, sets);
+  }
+  put_in_order(sets.kept_objects);
+}
+
+/// Of a block that is not hidden as a whole, from near to far, those objects that are not.
+void Horizon::keep_objects(const Scene& scene, std::uint32_t block, VisibleSets& sets) {
+  const auto runs = sets.answer.objects().first(sets.city_runs);
+  const ObjectRun all = scene.tree.block_objects[block];
+  objects_.clear();
+  auto run = std::partition_point(runs.begin(), runs.end(), [&](const ObjectRun& r) { return r.last <= all.first; });
+  for (; run != runs.end() && run->first < all.last; ++run)
+    for (std::uint32_t i = std::max(run->first, all.first); i < std::min(run->last, all.last); ++i) {
+      const culling::BoxD box = box_of(scene, i);
+      objects_.push_back({plan_distance(Vec3(box.min - eye_), Vec3(box.max - eye_)), i, 0});
+    }
+  put_nearest_first(objects_);
+  for (const Near& object : objects_) {
+    const culling::BoxD box = box_of(scene, object.number);
+    if (hidden(box)) continue;
+    append(sets.kept_objects, {object.number, object.number + 1});
+    if (box.max.z > eye_.z) add_walls(scene, block, scene.buildings.table.rows({object.number, object.number + 1}));
+  }
+}
+
+void Horizon::hide_cars(VisibleSets& sets) const {
+  std::erase_if(sets.cars, [&](const CarState& car) {
+    return hidden({car.position - Vec3d(kCarRadius), car.position + Vec3d(kCarRadius)});
+  });
+}
+
+bool Horizon::hidden(const culling::BoxD& box) const {
+  const Vec3 min(box.min - eye_), max(box.max - eye_);
+  const float nearest = plan_distance(min, max),
+              farthest = glm::length(glm::max(glm::abs(Vec2(min)), glm::abs(Vec2(max))));
+  if (nearest <= 0) return false;
+  const float low = min.z / (min.z < 0 ? nearest : farthest), high = max.z / (max.z > 0 ? nearest : farthest);
+  const float middle = turn_of(Vec2(min + max) / 2.0F);
+  float right = 0, left = 0;
+  for (const Vec2& corner : {Vec2(min), Vec2(max), Vec2(min.x, max.y), Vec2(max.x, min.y)}) {
+    const float t = turned(middle, turn_of(corner));
+    right = std::min(right, t), left = std::max(left, t);
+  }
+  const auto first = static_cast<std::int64_t>(std::floor((middle + right) * kColumnsATurn - 0.01F)),
+             last = static_cast<std::int64_t>(std::floor((middle + left) * kColumnsATurn + 0.01F));
+  for (std::int64_t i = first; i <= last; ++i) {
+    const Column& c = columns_[wrapped(i)];
+    if (!(c.high >= high && c.low <= low && c.farthest <= nearest)) return false;
+  }
+  return true;
+}
+
+void Horizon::add_walls(const Scene& scene, std::uint32_t block, const ObjectRun& buildings) {
+  const Vec3 offset(scene.blocks[block].origin - eye_);
+  const auto hides = [&](const Wall& w) {
+    const Vec2 a = w.a + Vec2(offset), b = w.b + Vec2(offset);
+    return a.x * b.y - a.y * b.x < 0 && w.top + offset.z > 0 && w.bottom + offset.z < 0;
+  };
+  for (std::uint32_t row = buildings.first; row < buildings.last; ++row) {
+    const std::vector<Wall>& walls = walls_of(scene, row);
+    for (std::size_t i = 0, end = 0; i < walls.size(); i = end) {
+      end = i + 1;
+      if (!hides(walls[i])) continue;
+      while (end < walls.size() && walls[end].joined && hides(walls[end])) ++end;
+      add_chain(std::span(walls).subspan(i, end - i), offset);
+    }
+  }
+}
+
+/// Walls that continue each other, clockwise about the eye. Columns at both ends are covered in part, and so not at
+/// all.
+void Horizon::add_chain(std::span<const Wall> chain, const Vec3& offset) {
+  const Vec2 at(offset);
+  std::int64_t open = std::numeric_limits<std::int64_t>::max();  // the column that the wall before ended in
+  Column so_far;
+  float turn = turn_of(chain.front().a + at);
+  for (std::size_t w = 0; w < chain.size(); ++w) {
+    const Wall& wall = chain[w];
+    const Vec2 a = wall.a + at, b = wall.b + at, along = glm::normalize(b - a), normal(-along.y, along.x);
+    const float away = glm::dot(normal, a);  // of the wall's plane
+    const float end = turn + turned(turn_of(a), turn_of(b));
+    const auto first = static_cast<std::int64_t>(std::floor(turn * kColumnsATurn)),
+               last = static_cast<std::int64_t>(std::floor(end * kColumnsATurn));
+    for (std::int64_t i = first; i >= last; --i) {
+      const std::size_t column = wrapped(i);
+      const float u = glm::dot(normal, edges_[column]), v = glm::dot(normal, edges_[column + 1]);
+      const float slant = std::min(u, v) / away, nearest = away / std::max(u, v);
+      Column with{};
+      if (away > kLeastAway && nearest > static_cast<float>(kNearest) && slant > 0)
+        with = {(wall.bottom + offset.z) * slant * (1 - kMargin), (wall.top + offset.z) * slant * (1 - kMargin),
+                (1 + kMargin) / slant};
+      if (i == open) {
+        with.low = std::max(with.low, so_far.low), with.high = std::min(with.high, so_far.high);
+        with.farthest = std::max(with.farthest, so_far.farthest);
+      }
+      const bool begins = w == 0 && i == first, ends = i == last;
+      if (begins) with = {};
+      if (ends)
+        open = i, so_far = with;
+      else
+        cover(column, with);
+    }
+    turn = end;
+  }
+}
+
+/// Nearer walls have been there before: what hides already stays, and a wall that rises from it makes it higher.
+void Horizon::cover(std::size_t column, const Column& with) {
+  Column& c = columns_[column];
+  if (!(with.low < with.high)) return;
+  if (!(c.low < c.high))
+    c = with;
+  else if ((with.low < c.low || with.high > c.high) && with.low <= c.high && with.high >= c.low)
+    c = {std::min(c.low, with.low), std::max(c.high, with.high), std::max(c.farthest, with.farthest)};
+}
+
+}  // namespace manzana

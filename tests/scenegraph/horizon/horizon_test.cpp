@@ -1,0 +1,202 @@
+// What a horizon takes away is hidden, by rays to it and every triangle of what is left; and how much it takes away.
+#include "scenegraph/horizon.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "scenegraph/classes.h"
+#include "scenegraph/import/import.h"
+#include "tests/support/random.h"
+
+namespace manzana {
+namespace {
+
+BuildingFeature box(const Vec2d& low, const Vec2d& high, double height, double min_height = 0) {
+  BuildingFeature b;
+  b.footprint.outer = {low, {high.x, low.y}, high, {low.x, high.y}};
+  b.height = height;
+  b.min_height = min_height;
+  return b;
+}
+
+Scene scene_of(std::vector<BuildingFeature> buildings) {
+  CityFeatures city;
+  city.buildings = std::move(buildings);
+  return build_scene(std::move(city), {.cars = 0}, {}).scene;
+}
+
+/// Middles of the buildings that are seen from 1.7 m above the origin, to the north.
+std::vector<Vec2d> seen_of(const Scene& scene, culling::ClassMask classes = culling::kAllClasses) {
+  VisibleSets sets(scene);
+  Horizon horizon(scene);
+  sets.classes = classes;
+  const culling::View view = culling::look({0, 0, 1.7}, {0, 1, 0}, {0, 0, 1}, 1.5, 2);
+  find_visible(scene, view, Structure::bqr, sets);
+  horizon.hide(scene, view.eye, sets);
+  std::vector<Vec2d> middles;
+  for (const culling::ObjectRun& run : sets.objects()) {
+    const culling::ObjectRun rows = scene.buildings.table.rows(run);
+    for (std::uint32_t row = rows.first; row < rows.last; ++row) {
+      const culling::Box& b = scene.buildings.table.boxes[row];
+      middles.push_back(glm::round(Vec2d(b.min + b.max) / 2.0 + Vec2d(scene.tree.origin)));
+    }
+  }
+  return middles;
+}
+
+bool holds(const std::vector<Vec2d>& all, const Vec2d& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+/// From the eye to the point, at t of the way, both ends out.
+bool crosses(const Vec3d& eye, const Vec3d& point, const std::array<Vec3d, 3>& t) {
+  const Vec3d d = point - eye, e1 = t[1] - t[0], e2 = t[2] - t[0], n = glm::cross(e1, e2);
+  const double facing = -glm::dot(d, n);
+  if (facing <= 0) return false;  // its back
+  const Vec3d from = eye - t[0], q = glm::cross(from, d);
+  const double at = glm::dot(from, n) / facing, u = glm::dot(e2, q) / facing, v = -glm::dot(e1, q) / facing;
+  constexpr double kSeam = 1e-4;  // floats of two triangles that share an edge
+  return at > 0 && at < 1 && u > -kSeam && v > -kSeam && u + v < 1 + kSeam;
+}
+
+using Triangles = std::vector<std::array<Vec3d, 3>>;
+
+Triangles triangles_of(const Scene& scene, std::span<const culling::ObjectRun> objects) {
+  const MeshLayer& layer = scene.buildings;
+  Triangles all;
+  for (const culling::ObjectRun& run : objects) {
+    const culling::ObjectRun rows = layer.table.rows(run);
+    for (std::uint32_t i = layer.index_first[rows.first]; i < layer.index_first[rows.last]; i += 3) {
+      std::array<Vec3d, 3> t;
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const CityVertex& v = layer.mesh.vertices[layer.mesh.indices[i + k]];
+        t[k] = scene.blocks[v.block].to_local(Vec3d(v.position));
+      }
+      all.push_back(t);
+    }
+  }
+  return all;
+}
+
+std::vector<std::uint32_t> numbers(std::span<const culling::ObjectRun> runs) {
+  std::vector<std::uint32_t> all;
+  for (const culling::ObjectRun& run : runs)
+    for (std::uint32_t i = run.first; i < run.last; ++i) all.push_back(i);
+  return all;
+}
+
+const culling::Box* box_of(const Scene& scene, std::uint32_t object) {
+  for (const LayerTable* table : {&scene.trees.table, &scene.buildings.table, &scene.surfaces.table})
+    if (table->row_first[object] < table->row_first[object + 1]) return &table->boxes[table->row_first[object]];
+  return nullptr;
+}
+
+const Scene& town() {
+  static const Imported city = import_city("builtin:town", {}, {});
+  return city.scene;
+}
+const Scene& town_of_ten() {
+  static const Imported city = import_city("builtin:town:10", {}, {});
+  return city.scene;
+}
+
+Vec3d place_on_a_street(const Scene& scene, std::uint64_t number, double height) {
+  const auto& points = scene.traffic.points;
+  return Vec3d(points[number % points.size()].position) + Vec3d(0, 0, height);
+}
+
+culling::View looking(const Vec3d& eye, double turn) {
+  return culling::look(eye, {std::cos(turn), std::sin(turn), 0}, {0, 0, 1}, 1.05, 16.0 / 9);
+}
+
+}  // namespace
+
+TEST_CASE("horizon: a building hides what is lower and farther and all of it behind") {
+  const BuildingFeature front = box({-20, 20}, {20, 30}, 12);
+  const Vec2d low(0, 105), tower(0, 205), beside(130, 105), near(10, 15), half(120, 125);
+  const Scene scene =
+      scene_of({front, box({-5, 100}, {5, 110}, 10), box({-5, 200}, {5, 210}, 200), box({125, 100}, {135, 110}, 10),
+                box({9, 14}, {11, 16}, 3), box({105, 120}, {135, 130}, 10)});
+  const auto seen = seen_of(scene);
+  CHECK_FALSE(holds(seen, low));
+  for (const Vec2d& place : {Vec2d(0, 25), tower, beside, near, half}) CHECK(holds(seen, place));
+}
+
+TEST_CASE("horizon: a building that stands on air hides nothing on the ground") {
+  CHECK(holds(seen_of(scene_of({box({-20, 20}, {20, 30}, 12, 3), box({-5, 100}, {5, 110}, 10)})), {0, 105}));
+}
+
+TEST_CASE("horizon: what is not looked for hides nothing") {
+  const Scene scene =
+      scene_of({box({-20, 20}, {20, 30}, 12), box({-5, 100}, {5, 130}, 25), box({-5, 500}, {5, 510}, 22)});
+  CHECK_FALSE(holds(seen_of(scene), {0, 505}));
+  const auto high = seen_of(scene, kBuildingOver20);
+  CHECK(high.size() == 1);
+  CHECK_FALSE(holds(seen_of(scene, kBuildingOver20), {0, 25}));
+}
+
+TEST_CASE("horizon: walls that continue each other leave no gap between them") {
+  std::vector<BuildingFeature> all{box({-3, 300}, {3, 306}, 5)};
+  BuildingFeature round;
+  for (int i = 0; i < 60; ++i) {
+    const double a = 2 * 3.14159265358979 * i / 60;
+    round.footprint.outer.push_back({20 * std::cos(a), 60 + 20 * std::sin(a)});
+  }
+  round.height = 30;
+  all.push_back(round);
+  CHECK_FALSE(holds(seen_of(scene_of(all)), {0, 303}));
+}
+
+TEST_CASE("horizon: no ray reaches what was taken away") {
+  support::Random random(3);
+  std::size_t gone = 0, asked = 0;
+  for (const Scene* scene : {&town(), &town_of_ten()}) {
+    VisibleSets sets(*scene);
+    Horizon horizon(*scene);
+    for (int n = 0; n < 12; ++n) {
+      const Vec3d eye = place_on_a_street(*scene, random.bits(), n % 4 == 3 ? 14 : 1.7);
+      find_visible(*scene, looking(eye, 0.9 * n), Structure::bqr, sets);
+      const auto all = numbers(sets.objects());
+      horizon.hide(*scene, eye, sets);
+      const auto left = numbers(sets.objects());
+      REQUIRE(std::includes(all.begin(), all.end(), left.begin(), left.end()));
+      const Triangles triangles = triangles_of(*scene, sets.objects());
+      for (const std::uint32_t object : all) {
+        if (std::binary_search(left.begin(), left.end(), object)) continue;
+        ++gone;
+        if (random.below(static_cast<int>(all.size())) > 60) continue;
+        const culling::Box* b = box_of(*scene, object);
+        REQUIRE(b != nullptr);
+        for (int k = 0; k < 12; ++k) {
+          const auto part = [&] { return k < 8 ? static_cast<double>(random.below(2)) : random.unit(); };
+          const Vec3d at = glm::mix(Vec3d(b->min), Vec3d(b->max), Vec3d(part(), part(), part())) + scene->tree.origin;
+          ++asked;
+          INFO("eye " << eye.x << " " << eye.y << " object " << object << " at " << at.x << " " << at.y << " " << at.z);
+          REQUIRE(std::any_of(triangles.begin(), triangles.end(), [&](const auto& t) { return crosses(eye, at, t); }));
+        }
+      }
+    }
+  }
+  CHECK(gone > 5000);
+  CHECK(asked > 2000);
+}
+
+// The same corner in a town ten times as large: what is brought and submitted, over eight ways of looking.
+TEST_CASE("horizon: a town ten times as large costs little more from the same corner") {
+  const auto triangles_seen = [](const Scene& scene, bool hide) {
+    VisibleSets sets(scene);
+    Horizon horizon(scene);
+    std::size_t triangles = 0;
+    for (int i = 0; i < 8; ++i) {
+      const culling::View view = looking({-4.6, -17.7, 1.7}, 0.2 + 0.785 * i);
+      find_visible(scene, view, Structure::bqr, sets);
+      if (hide) horizon.hide(scene, view.eye, sets);
+      triangles += triangles_of(scene, sets.objects()).size();
+    }
+    return static_cast<double>(triangles);
+  };
+  CHECK(triangles_seen(town_of_ten(), false) > 8 * triangles_seen(town(), false));
+  CHECK(triangles_seen(town_of_ten(), true) < 3 * triangles_seen(town(), true));
+}
+
+}  // namespace manzana
