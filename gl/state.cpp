@@ -29,16 +29,30 @@ constexpr std::array<GLenum, 22> kSwitchNames{GL_BLEND,
 struct BufferTarget {
   GLenum target, query;
 };
-constexpr std::array<BufferTarget, 6> kBufferTargets{
+constexpr std::array<BufferTarget, 7> kBufferTargets{
     {{GL_ARRAY_BUFFER, GL_ARRAY_BUFFER_BINDING},
      {GL_DRAW_INDIRECT_BUFFER, GL_DRAW_INDIRECT_BUFFER_BINDING},
      {GL_DISPATCH_INDIRECT_BUFFER, GL_DISPATCH_INDIRECT_BUFFER_BINDING},
      {GL_PIXEL_PACK_BUFFER, GL_PIXEL_PACK_BUFFER_BINDING},
+     {GL_PIXEL_UNPACK_BUFFER, GL_PIXEL_UNPACK_BUFFER_BINDING},
      {GL_UNIFORM_BUFFER, GL_UNIFORM_BUFFER_BINDING},
      {GL_SHADER_STORAGE_BUFFER, GL_SHADER_STORAGE_BUFFER_BINDING}}};
 
 constexpr std::array<GLenum, 6> kBlend{GL_BLEND_SRC_RGB,   GL_BLEND_DST_RGB,      GL_BLEND_SRC_ALPHA,
                                        GL_BLEND_DST_ALPHA, GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA};
+
+struct Unpack {
+  GLenum name;
+  GLint plain;
+};
+constexpr std::array<Unpack, 8> kUnpack{{{GL_UNPACK_ALIGNMENT, 4},
+                                         {GL_UNPACK_ROW_LENGTH, 0},
+                                         {GL_UNPACK_IMAGE_HEIGHT, 0},
+                                         {GL_UNPACK_SKIP_PIXELS, 0},
+                                         {GL_UNPACK_SKIP_ROWS, 0},
+                                         {GL_UNPACK_SKIP_IMAGES, 0},
+                                         {GL_UNPACK_SWAP_BYTES, 0},
+                                         {GL_UNPACK_LSB_FIRST, 0}}};
 
 void set(GLenum name, GLboolean on) { on == GL_TRUE ? glEnable(name) : glDisable(name); }
 
@@ -56,6 +70,8 @@ void set_clean_state() {
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glBlendEquation(GL_FUNC_ADD);
   glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+  for (const Unpack& u : kUnpack) glPixelStorei(u.name, u.plain);
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
   for (GLuint unit = 0; unit < 2; ++unit) glBindSampler(unit, 0);
 }
 
@@ -124,6 +140,7 @@ void SavedState::save_values() {
   glGetIntegerv(GL_FRONT_FACE, &front_face_);
   glGetIntegerv(GL_PACK_ALIGNMENT, &pack_alignment_);
   glGetIntegerv(GL_PACK_ROW_LENGTH, &pack_row_length_);
+  for (std::size_t i = 0; i < kUnpack.size(); ++i) glGetIntegerv(kUnpack[i].name, &unpack_[i]);
 }
 
 void SavedState::restore_values() const {
@@ -153,6 +170,7 @@ void SavedState::restore_values() const {
   glFrontFace(e(front_face_));
   glPixelStorei(GL_PACK_ALIGNMENT, pack_alignment_);
   glPixelStorei(GL_PACK_ROW_LENGTH, pack_row_length_);
+  for (std::size_t i = 0; i < kUnpack.size(); ++i) glPixelStorei(kUnpack[i].name, unpack_[i]);
 }
 
 }  // namespace manzana::gl

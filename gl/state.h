@@ -22,7 +22,7 @@ class SavedState {
   GLuint framebuffer() const { return static_cast<GLuint>(draw_framebuffer_); }
 
  private:
-  static constexpr std::size_t kSwitches = 22, kBuffers = 6, kUniforms = 2, kStorages = 19;
+  static constexpr std::size_t kSwitches = 22, kBuffers = 7, kUniforms = 2, kStorages = 19;
   struct Range {
     GLint buffer = 0;
     GLint64 start = 0, size = 0;
@@ -45,6 +45,7 @@ class SavedState {
   std::array<GLint, 2> clip_control_{}, polygon_mode_{};
   GLboolean depth_mask_ = 0;
   GLint depth_func_ = 0, cull_face_ = 0, front_face_ = 0, pack_alignment_ = 0, pack_row_length_ = 0;
+  std::array<GLint, 8> unpack_{};
 };
 
 }  // namespace manzana::gl

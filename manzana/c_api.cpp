@@ -45,6 +45,7 @@ LoadOptions options_of(const manzana_load_options* given) {
   LoadOptions options{
       .seed = o.seed, .cars = o.cars, .threads = o.threads, .trees = o.trees != 0, .attributes = o.attributes != 0};
   if (o.plant_cache != nullptr) options.plant_cache = o.plant_cache;
+  if (o.orthophoto != nullptr) options.orthophoto = o.orthophoto;
   return options;
 }
 
@@ -103,7 +104,7 @@ Host host_of(const manzana_host* given) {
 
 const char* manzana_version(void) { return MANZANA_VERSION; }
 
-manzana_load_options manzana_load_defaults(void) { return {1, -1, 1, 1, 1, nullptr}; }
+manzana_load_options manzana_load_defaults(void) { return {1, -1, 1, 1, 1, nullptr, nullptr}; }
 
 manzana_model* manzana_model_load(const char* city, const manzana_load_options* options, manzana_progress progress,
                                   void* user, manzana_error* error) {

@@ -44,6 +44,7 @@ typedef struct manzana_load_options {
   int32_t trees;           /* 0: none */
   int32_t attributes;      /* 0: what files say of things is not kept */
   const char* plant_cache; /* a folder where prepared plants are kept; NULL: they are not */
+  const char* orthophoto;  /* a picture that is laid over the ground (GeoTIFF; in builds with GDAL); NULL: none */
 } manzana_load_options;
 MANZANA_API manzana_load_options manzana_load_defaults(void);
 

@@ -7,6 +7,7 @@
 
 #include "scenegraph/earth_centred.h"
 #include "scenegraph/import/osm_file.h"
+#include "scenegraph/import/read_photo.h"
 #include "scenegraph/import/scene_plants.h"
 
 namespace manzana {
@@ -19,7 +20,9 @@ std::vector<foliage::PreparedPlant> plants_of(const Scene& scene, const LoadOpti
 }
 
 std::shared_ptr<const Model> make_model(Imported imported, const LoadOptions& options, const Progress& progress) {
-  auto plants = plants_of(imported.scene, options, progress);
+  Scene& scene = imported.scene;
+  if (!options.orthophoto.empty()) scene.photo = read_ground_photo(options.orthophoto, scene.frame, scene.bounds, {});
+  auto plants = plants_of(scene, options, progress);
   return std::make_shared<Model>(std::move(imported), std::move(plants));
 }
 

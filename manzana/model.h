@@ -32,11 +32,12 @@ struct Feature {
 };
 
 struct LoadOptions {
-  std::uint64_t seed = 1;  ///< of what is made up: scattered trees, cars, the built-in town
-  int cars = -1;           ///< how many; -1: by the length of the streets
-  int threads = 1;         ///< the calling one included; no others are started, or used, for 1
-  bool trees = true;       ///< else none are prepared, and none are drawn
-  bool attributes = true;  ///< else what files say of things is not kept
+  std::uint64_t seed = 1;                 ///< of what is made up: scattered trees, cars, the built-in town
+  int cars = -1;                          ///< how many; -1: by the length of the streets
+  int threads = 1;                        ///< the calling one included; no others are started, or used, for 1
+  bool trees = true;                      ///< else none are prepared, and none are drawn
+  bool attributes = true;                 ///< else what files say of things is not kept
+  std::filesystem::path orthophoto = {};  ///< laid over the ground (scenegraph/import/read_photo.h); empty: none
   std::optional<std::filesystem::path> plant_cache = {};  ///< where prepared plants are kept; none: they are not
 };
 

@@ -12,6 +12,7 @@
 
 #include "culling/bqr_tree.h"
 #include "scenegraph/attributes.h"
+#include "scenegraph/ground_photo.h"
 #include "scenegraph/layer_table.h"
 #include "scenegraph/local_frame.h"
 #include "scenegraph/mesh.h"
@@ -87,6 +88,7 @@ struct Scene {
   TreeLayer trees;
   Traffic traffic;
   Attributes attributes;    ///< of objects of the tree; only if they were asked for
+  GroundPhoto photo;        ///< laid over the ground; only if one was asked for
   culling::BoxD bounds;     ///< of all objects, in L
   std::string attribution;  ///< must be shown with every picture; empty for made-up data
 };

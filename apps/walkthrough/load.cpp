@@ -13,6 +13,7 @@
 #include "scenegraph/import/baked_city.h"
 #include "scenegraph/import/cityjson.h"
 #include "scenegraph/import/ecosystem_features.h"
+#include "scenegraph/import/read_photo.h"
 #include "scenegraph/import/terrain.h"
 #include "scenegraph/import/tree_species.h"
 
@@ -97,19 +98,8 @@ CityFeatures load_ecosystem(const Options& options, Plants& plants) {
   return ecosystem_features(ecosystem, std::span(plants).subspan(kPlantSpecies));
 }
 
-}  // namespace
-
-Plants load_named_plants(const Options& options) {
-  Plants plants(kPlantSpecies);
-  const auto named = species_where([&](std::size_t i) { return has_file(options, i); });
-  load_each(options, named, [&](std::size_t i, const foliage::PrepareOptions& how) {
-    const auto* file = file_for(options, static_cast<PlantSpecies>(i));
-    plants[i] = foliage::load_or_prepare({*file}, foliage::default_cache_folder(), how, tell);
-  });
-  return plants;
-}
-
-Imported load_city(const Options& options, Plants& plants) {
+/// Without its photo.
+Imported load_plain_city(const Options& options, Plants& plants) {
   const ImportOptions how{
       .seed = options.seed, .cars = options.cars, .lod = options.lod, .reference_system = options.reference_system};
   const bool alone = options.more.empty() && options.tree_lists.empty() && options.terrain.empty();
@@ -124,6 +114,26 @@ Imported load_city(const Options& options, Plants& plants) {
   for (const auto& list : options.tree_lists) add(read_tree_list(list, options.tree_columns, how));
   const Terrain terrain = options.terrain.empty() ? Terrain() : read_terrain(options.terrain, *all);
   return build_scene(std::move(*all), terrain, how, show);
+}
+
+}  // namespace
+
+Plants load_named_plants(const Options& options) {
+  Plants plants(kPlantSpecies);
+  const auto named = species_where([&](std::size_t i) { return has_file(options, i); });
+  load_each(options, named, [&](std::size_t i, const foliage::PrepareOptions& how) {
+    const auto* file = file_for(options, static_cast<PlantSpecies>(i));
+    plants[i] = foliage::load_or_prepare({*file}, foliage::default_cache_folder(), how, tell);
+  });
+  return plants;
+}
+
+Imported load_city(const Options& options, Plants& plants) {
+  Imported city = load_plain_city(options, plants);
+  Scene& scene = city.scene;
+  if (!options.orthophoto.empty())
+    scene.photo = read_ground_photo(options.orthophoto, scene.frame, scene.bounds, options.reference_system);
+  return city;
 }
 
 void load_other_plants(const Options& options, const Scene& scene, Plants& plants) {

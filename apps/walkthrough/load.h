@@ -16,7 +16,7 @@ using Plants = std::vector<foliage::PreparedPlant>;
 Plants load_named_plants(const Options& options);
 
 /// The cities and lists of trees, as one; or an ecosystem (.json), whose plants are added. Throws as import_city,
-/// read_tree_list and read_ecosystem do.
+/// read_tree_list, read_ecosystem and read_ground_photo do. The ground has its photo then, if one is named.
 Imported load_city(const Options& options, Plants& plants);
 
 /// Our own models of the species that stand there and have none yet.

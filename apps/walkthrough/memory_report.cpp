@@ -76,12 +76,14 @@ MemoryReport report_memory(const Scene& scene, std::span<const foliage::Prepared
   return {{{"meshes of buildings and surfaces", held(device.meshes), meshes},
            {"plants", held(device.plants), share * held(device.plants)},
            {"lists of trees", held(device.lists)},
+           {"photo of the ground", held(device.photo)},
            {"nodes of a host", held(device.nodes)},
            {"frames' streams", held(device.stream)},
            {"pictures", held(device.pictures)}},
           {{"meshes of buildings and surfaces", bytes_of(scene.buildings.mesh) + bytes_of(scene.surfaces.mesh), meshes},
            {"plants", host_plants, share * host_plants},
            {"trees", bytes_of(scene.trees.instances)},
+           {"photo of the ground", held(bytes_of(scene.photo))},
            {"BqR-Tree, for queries", held(query_bytes(scene.tree))}}};
 }
 

@@ -107,6 +107,8 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
           "");
   app.add_option("--crs", options.reference_system, "reference system of files that name none, as EPSG:28992");
   app.add_option("--terrain", options.terrain, "relief to stand on: GeoTIFF or SRTM (.tif, .hgt, .hgt.zip)");
+  app.add_option("--orthophoto", options.orthophoto,
+                 "a picture from above that is laid over the ground: GeoTIFF, or PNG or JPEG with a world file");
   app.add_option("--lod", options.lod, "of CityJSON: the finest level of detail to take")->check(within(0, 10));
   app.add_flag("--headless", options.headless, "draw a camera path to files, without a window");
   app.add_option("--path", options.path, "camera path: tour, pina or a JSON file")->capture_default_str();

@@ -39,8 +39,9 @@ struct Options {
   std::uint64_t seed = 1;
   int cars = -1;  ///< -1: by the length of the streets
   double lod = ImportOptions{}.lod;
-  std::string reference_system;   ///< of files that name none
-  std::filesystem::path terrain;  ///< empty: level
+  std::string reference_system;      ///< of files that name none
+  std::filesystem::path terrain;     ///< empty: level
+  std::filesystem::path orthophoto;  ///< empty: none
   std::vector<PlantFile> plants;
   std::optional<double> tree_error_px;  ///< without it the quality decides
   double tree_vertices = 0, tree_ms = 0;

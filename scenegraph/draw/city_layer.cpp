@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "manzana_draw_shaders.h"
+#include "scenegraph/draw/photo_layer.h"
 
 namespace manzana::draw {
 namespace {
@@ -15,10 +16,11 @@ Paint paint_at(const CityMesh& mesh, std::size_t triangle) {
   return paint_of(material_of(mesh.vertices[mesh.indices[triangle + 2]]));
 }
 
-gl::Program make_paint(std::string_view name, std::string_view fragment) {
+gl::Program make_paint(std::string_view name, std::string_view fragment, const PhotoPieces& photo) {
   using namespace shaders;
-  return gl::make_program(name, {version_glsl, frame_layout_glsl, frame_glsl, light_glsl, city_vert},
-                          {version_glsl, frame_layout_glsl, frame_glsl, noise_glsl, light_glsl, city_glsl, fragment});
+  return gl::make_program(
+      name, {version_glsl, frame_layout_glsl, frame_glsl, light_glsl, city_vert},
+      {version_glsl, frame_layout_glsl, frame_glsl, noise_glsl, light_glsl, photo[0], photo[1], city_glsl, fragment});
 }
 
 }  // namespace
@@ -39,10 +41,11 @@ Paint paint_of(Material material) {
   }
 }
 
-PaintPrograms make_paint_programs() {
-  return {make_paint("facade", shaders::facade_frag), make_paint("roof", shaders::roof_frag),
-          make_paint("road", shaders::road_frag), make_paint("water", shaders::water_frag),
-          make_paint("ground", shaders::ground_frag)};
+PaintPrograms make_paint_programs(bool photo) {
+  const PhotoPieces pieces = photo_pieces(photo);
+  return {make_paint("facade", shaders::facade_frag, pieces), make_paint("roof", shaders::roof_frag, pieces),
+          make_paint("road", shaders::road_frag, pieces), make_paint("water", shaders::water_frag, pieces),
+          make_paint("ground", shaders::ground_frag, pieces)};
 }
 
 PaintedIndices sort_by_paint(const CityMesh& mesh, std::span<const std::uint32_t> index_first) {

@@ -20,7 +20,8 @@ inline constexpr std::size_t kPaints = static_cast<std::size_t>(Paint::count);
 Paint paint_of(Material material);
 
 using PaintPrograms = std::array<gl::Program, kPaints>;
-PaintPrograms make_paint_programs();
+/// `photo`: the ground has one (photo_layer.h).
+PaintPrograms make_paint_programs(bool photo);
 
 /// Indices [first[p][i], first[p][i + 1]) of `indices` are object i's triangles of paint p.
 struct PaintedIndices {

@@ -12,6 +12,7 @@
 #include "scenegraph/draw/debug_volumes.h"
 #include "scenegraph/draw/frame_data.h"
 #include "scenegraph/draw/node_layer.h"
+#include "scenegraph/draw/photo_layer.h"
 #include "scenegraph/draw/pick.h"
 #include "scenegraph/draw/shadows.h"
 #include "scenegraph/draw/sky.h"
@@ -20,7 +21,9 @@
 namespace manzana::draw {
 namespace {
 
-constexpr GLuint kFrameBinding = 0, kBlocksBinding = 1;
+constexpr GLuint kFrameBinding = 0, kPhotoBinding = 1;  // of uniforms
+constexpr GLuint kBlocksBinding = 1;
+constexpr std::size_t kPhotoShare = 8;  // of the device's bytes, for each screen
 
 void set_depth_and_colour(const Camera& camera) {
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -55,15 +58,19 @@ struct Renderer::State {
         anchor(scene.blocks.empty() ? BlockFrame{} : scene.blocks.front()),
         rows(scene.blocks.size()),
         meshes(scene),
-        paints(make_paint_programs()),
+        paints(make_paint_programs(!scene.photo.empty())),
         trees(scene, plants,
               asked.tree_law == foliage::Law::full ? limits_for_all(scene, plants) : foliage::ExtractLimits{}),
         cars(scene.traffic.cars()),
-        car_shadows(make_shadow("shadow_car", shaders::shadow_car_vert)) {}
+        car_shadows(make_shadow("shadow_car", shaders::shadow_car_vert)),
+        sky(!scene.photo.empty()) {}
 
   std::size_t bytes_of_frame(const VisibleSets& sets) const;
   void draw_host_nodes(std::span<const SeenNode> seen, const Vec3d& eye, FrameCounts& counts);
   void upload_frame(const VisibleSets& sets, const FrameData& frame);
+  std::size_t bring_photo(const Scene& scene, const Camera& camera, std::size_t most_bytes);
+  void upload_photo(const GroundPhoto& photo, const Vec3d& eye);
+  void bind_photo() const;
   void draw_layers(const Scene& scene, const VisibleSets& sets, const Camera& camera, const DrawOptions& options,
                    std::span<const SeenNode> nodes, FrameCounts& counts);
 
@@ -81,6 +88,7 @@ struct Renderer::State {
   NodeLayerGpu nodes;
   std::optional<gl::Program> node_program;  ///< from the first node on
   Sky sky;
+  std::vector<std::optional<PhotoLayerGpu>> photos;  ///< of each screen
   DebugVolumes volumes;
   gl::StreamBuffer stream;
   std::vector<gl::Target> targets;
@@ -92,7 +100,8 @@ struct Renderer::State {
 
 std::size_t Renderer::State::bytes_of_frame(const VisibleSets& sets) const {
   using gl::StreamBuffer;
-  return StreamBuffer::padded(sizeof(FrameData)) + StreamBuffer::padded((rows.size() + 1) * sizeof(Rows)) +
+  return StreamBuffer::padded(sizeof(FrameData)) + StreamBuffer::padded(sizeof(glsl::PhotoData)) +
+         StreamBuffer::padded((rows.size() + 1) * sizeof(Rows)) +
          stream_bytes(meshes.buildings, sets.objects().size()) + stream_bytes(meshes.surfaces, sets.objects().size()) +
          stream_bytes(trees) + stream_bytes(cars.meshes, sets.cars.size());
 }
@@ -108,6 +117,28 @@ void Renderer::State::upload_frame(const VisibleSets& sets, const FrameData& fra
   glBindBufferRange(GL_SHADER_STORAGE_BUFFER, kBlocksBinding, stream.name(), blocks.offset,
                     static_cast<GLsizeiptr>((rows.size() + 1) * sizeof(Rows)));
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, stream.name());
+}
+
+/// About where this camera looks; a screen has its own.
+std::size_t Renderer::State::bring_photo(const Scene& scene, const Camera& camera, std::size_t most_bytes) {
+  if (scene.photo.empty()) return 0;
+  if (photos.size() <= screen) photos.resize(screen + 1);
+  const PhotoPlan plan = plan_photo(scene.photo, focal_px(camera, target().height), gpu_bytes / kPhotoShare);
+  std::optional<PhotoLayerGpu>& layer = photos[screen];
+  if (!layer || layer->plan() != plan) layer.emplace(scene.photo, plan);
+  return layer->bring(scene.photo, camera, scene.frame.ground_z(Vec2d(camera.eye)), most_bytes);
+}
+
+void Renderer::State::upload_photo(const GroundPhoto& photo, const Vec3d& eye) {
+  if (photo.empty()) return;
+  const auto uniforms = stream.take<glsl::PhotoData>(1);
+  *uniforms.items = photos[screen]->data(photo, eye);
+  glBindBufferRange(GL_UNIFORM_BUFFER, kPhotoBinding, stream.name(), uniforms.offset, sizeof(glsl::PhotoData));
+}
+
+/// Trees have their own pictures in the same places.
+void Renderer::State::bind_photo() const {
+  if (!photos.empty()) photos[screen]->bind();
 }
 
 void Renderer::State::draw_host_nodes(std::span<const SeenNode> seen, const Vec3d& eye, FrameCounts& counts) {
@@ -139,6 +170,7 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
     add(counts, draw_trees(trees, {static_cast<float>(focal_px(camera, target().height)), target().samples, wind}));
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, stream.name());
   }
+  bind_photo();
   if (layers.surfaces) {
     counts.surfaces = count(scene.surfaces.table, sets.objects());
     add(counts, draw_city(meshes, scene.surfaces.table, meshes.surfaces, paints, sets.objects(), stream));
@@ -148,6 +180,7 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
     glBindVertexArray(cars.meshes.array.name());
     if (layers.cars) add(counts, draw_shadows(car_shadows, cars.selection.bins.total()));
   }
+  bind_photo();
   if (layers.sky) draw_sky(sky);
 }
 
@@ -178,6 +211,8 @@ DeviceMemory Renderer::memory() const {
                       .lists = s.tree_bytes.lists,
                       .nodes = s.nodes.device_bytes(),
                       .stream = s.stream.bytes()};
+  for (const auto& photo : s.photos)
+    if (photo) memory.photo += photo->device_bytes();
   for (const gl::Target& t : s.targets)
     memory.pictures += static_cast<std::size_t>(t.width) * static_cast<std::size_t>(t.height) * 8 *
                        static_cast<std::size_t>(t.samples > 1 ? t.samples + 1 : 1);
@@ -210,13 +245,17 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
   count_cars(sets.cars, camera.eye, f_px / s.quality.tree_error_px, s.cars.selection);
 
   FrameCounts counts;
+  const std::size_t held = s.meshes.held_bytes();
   counts.bytes_to_bring = bring(scene, sets, options.upload_bytes);
+  const std::size_t brought = s.meshes.held_bytes() - std::min(held, s.meshes.held_bytes());
+  counts.bytes_to_bring += s.bring_photo(scene, camera, options.upload_bytes - std::min(options.upload_bytes, brought));
   counts.bytes_without_room = s.meshes.missing_bytes();
   s.stream.begin(s.bytes_of_frame(sets) + stream_bytes(nodes));
   gl::bind(s.target());
   set_depth_and_colour(camera);
   clear(s.target(), options.transparent ? Vec4(0) : frame.horizon);
   s.upload_frame(sets, frame);
+  s.upload_photo(scene.photo, camera.eye);
   if (options.layers.trees) {
     const double error_px = options.tree_error_px > 0 ? options.tree_error_px : s.quality.tree_error_px;
     const foliage::Law law = options.tree_law.value_or(s.quality.tree_law);

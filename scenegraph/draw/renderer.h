@@ -50,7 +50,8 @@ struct DrawOptions {
   double wind = 0;               ///< strength, 0 to 1
   double seconds = 0;            ///< of the wind
   double fog_distance_m = 4000;  ///< where half of the light is the air's
-  std::size_t upload_bytes = static_cast<std::size_t>(-1);  ///< of meshes, in this frame; those that wait are hidden
+  std::size_t upload_bytes = static_cast<std::size_t>(-1);  ///< of meshes and the ground's photo, in this frame;
+                                                            ///< meshes that wait are hidden
   bool transparent = false;  ///< where nothing stands, without a sky, alpha is 0; else the horizon's colour
   /// Debug view: volumes of the tree for this frustum, drawn as lines over what is drawn for the view. nullptr: none.
   const culling::View* frozen = nullptr;
@@ -60,7 +61,7 @@ struct FrameCounts {
   std::uint64_t triangles = 0;  ///< submitted; of trees mosaics alone: the GPU chooses the others
   std::uint64_t buildings = 0, surfaces = 0, trees = 0, cars = 0, nodes = 0;
   std::uint64_t commands = 0;            ///< of multi-draws
-  std::uint64_t bytes_to_bring = 0;      ///< of meshes in sight that wait for a later frame
+  std::uint64_t bytes_to_bring = 0;      ///< of meshes in sight and the ground's photo that wait for a later frame
   std::uint64_t bytes_without_room = 0;  ///< of meshes in sight
   double tree_error_px = 0;              ///< that was tolerated in trees, after the budget and what memory has room for
   foliage::Law tree_law = foliage::Law::ours;  ///< ours in place of what there was no room for
@@ -92,8 +93,9 @@ struct DeviceMemory {
   std::size_t meshes_all = 0;         ///< of the whole city, were it held
   std::size_t meshes_missing = 0;     ///< in sight now, and without room
   std::size_t plants = 0, lists = 0;  ///< of trees
+  std::size_t photo = 0;              ///< of the ground
   std::size_t nodes = 0, stream = 0, pictures = 0;
-  std::size_t sum() const { return meshes + plants + lists + nodes + stream + pictures; }
+  std::size_t sum() const { return meshes + plants + lists + photo + nodes + stream + pictures; }
 };
 
 inline constexpr std::uint32_t kOwnColour = ~0U;

@@ -6,8 +6,8 @@
 namespace manzana::draw {
 
 struct Sky {
-  Sky();
-  gl::VertexArray nothing;  ///< core profile wants one bound
+  explicit Sky(bool photo);  ///< the ground has one (photo_layer.h)
+  gl::VertexArray nothing;   ///< core profile wants one bound
   gl::Program above, below;
 };
 void draw_sky(const Sky& sky);

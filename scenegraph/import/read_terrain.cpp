@@ -16,7 +16,7 @@ manzana::Terrain manzana::read_terrain(const std::filesystem::path& file, const 
 #include <limits>
 
 #include "culling/volumes.h"
-#include "scenegraph/import/gdal_support.h"
+#include "scenegraph/import/raster_place.h"
 
 namespace manzana {
 namespace {
@@ -45,25 +45,15 @@ culling::BoxD bounds_of(const CityFeatures& city) {
 /// A window of the raster's first band; pixels outside it, and without a value, are void.
 class Raster {
  public:
-  explicit Raster(GDALDataset& data)
-      : band_(*data.GetRasterBand(1)),
-        system_(data.GetSpatialRef() == nullptr ? spatial_reference("") : *data.GetSpatialRef()),
-        from_degrees_(system_, GeoTransform::Way::from_degrees) {
-    double to_place[6];
-    if (data.GetGeoTransform(to_place) != CE_None || GDALInvGeoTransform(to_place, to_pixel_) == FALSE)
-      throw std::runtime_error("does not say where it lies");
+  explicit Raster(GDALDataset& data) : band_(*data.GetRasterBand(1)), place_(data) {
     int has = 0;
     const double none = band_.GetNoDataValue(&has);
     if (has != 0) none_ = static_cast<float>(none);
   }
 
   /// Pixels, the middle of the first being (0, 0).
-  Vec2d pixel_of(const GeoPoint& place) const {
-    double x = place.lon_deg, y = place.lat_deg;
-    if (!from_degrees_.apply(x, y)) return Vec2d(std::numeric_limits<double>::quiet_NaN());
-    return {to_pixel_[0] + to_pixel_[1] * x + to_pixel_[2] * y - 0.5,
-            to_pixel_[3] + to_pixel_[4] * x + to_pixel_[5] * y - 0.5};
-  }
+  Vec2d pixel_of(const LocalFrame& frame, const Vec2d& plan) const { return place_.pixel_of(frame, plan) - 0.5; }
+  const RasterPlace& place() const { return place_; }
 
   void load(const Vec2d& low, const Vec2d& high) {
     const Vec2d most(band_.GetXSize(), band_.GetYSize());
@@ -99,28 +89,11 @@ class Raster {
   }
 
   GDALRasterBand& band_;
-  OGRSpatialReference system_;
-  GeoTransform from_degrees_;
-  double to_pixel_[6]{};
+  RasterPlace place_;
   float none_ = kVoid;
   glm::ivec2 first_{0}, size_{0};
   std::vector<float> pixels_;
 };
-
-GeoPoint place_of(const LocalFrame& frame, const Vec2d& plan) {
-  const GeoPoint place = frame.to_geo({plan.x, plan.y, frame.ground_z(plan)});
-  return {place.lat_deg, place.lon_deg, 0};
-}
-
-/// Metres a pixel, about the middle.
-double pixel_size(const Raster& raster, const LocalFrame& frame, const Vec2d& middle) {
-  const Vec2d at = raster.pixel_of(place_of(frame, middle));
-  const double east = glm::distance(at, raster.pixel_of(place_of(frame, middle + Vec2d(100, 0)))),
-               north = glm::distance(at, raster.pixel_of(place_of(frame, middle + Vec2d(0, 100))));
-  const double size = 100 / std::max(east, north);
-  if (!std::isfinite(size)) throw std::runtime_error("does not reach the city");
-  return size;
-}
 
 Terrain grid_for(const culling::BoxD& box, double step) {
   Terrain grid;
@@ -157,12 +130,12 @@ Terrain read(GDALDataset& data, const CityFeatures& city) {
   const culling::BoxD box = bounds_of(city);
   if (box.empty()) return {};
   Raster raster(data);
-  Terrain grid = grid_for(box, pixel_size(raster, city.frame, Vec2d(center(box))));
+  Terrain grid = grid_for(box, raster.place().pixel_size(city.frame, Vec2d(center(box))));
   std::vector<Vec2d> pixels;
   Vec2d low(std::numeric_limits<double>::infinity()), high = -low;
   for (std::uint32_t r = 0; r < grid.rows; ++r)
     for (std::uint32_t c = 0; c < grid.columns; ++c) {
-      const Vec2d p = pixels.emplace_back(raster.pixel_of(place_of(city.frame, grid.origin + grid.step * Vec2d(c, r))));
+      const Vec2d p = pixels.emplace_back(raster.pixel_of(city.frame, grid.origin + grid.step * Vec2d(c, r)));
       if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
       low = glm::min(low, p);
       high = glm::max(high, p);

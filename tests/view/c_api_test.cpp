@@ -187,3 +187,11 @@ TEST_CASE("c: the library shows its own functions and nothing else") {
   }
   CHECK(functions == 41);
 }
+
+TEST_CASE("c: an orthophoto that cannot be read is told") {
+  manzana_load_options options = manzana_load_defaults();
+  options.orthophoto = "/nowhere/photo.tif";
+  manzana_error error{};
+  CHECK(manzana_model_load("builtin:town", &options, nullptr, nullptr, &error) == nullptr);
+  CHECK(std::string(error.text).starts_with("/nowhere/photo.tif: "));
+}

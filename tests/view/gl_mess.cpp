@@ -26,6 +26,10 @@ std::vector<GLint64> state_of_gl() {
                             GL_CLIP_DEPTH_MODE,
                             GL_PACK_ALIGNMENT,
                             GL_PACK_ROW_LENGTH,
+                            GL_UNPACK_ALIGNMENT,
+                            GL_UNPACK_ROW_LENGTH,
+                            GL_UNPACK_SKIP_ROWS,
+                            GL_PIXEL_UNPACK_BUFFER_BINDING,
                             GL_DEPTH_WRITEMASK}) {
     GLint64 value = 0;
     glGetInteger64v(name, &value);
@@ -73,6 +77,10 @@ void leave_a_mess(const gl::Buffer& buffer) {
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPixelStorei(GL_PACK_ALIGNMENT, 8);
   glPixelStorei(GL_PACK_ROW_LENGTH, 77);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 33);
+  glPixelStorei(GL_UNPACK_SKIP_ROWS, 2);
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer.name());
   glActiveTexture(GL_TEXTURE1);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, buffer.name());
   glBindBuffer(GL_ARRAY_BUFFER, buffer.name());

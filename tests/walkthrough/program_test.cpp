@@ -210,6 +210,7 @@ TEST_CASE("program: bad input is 1 and one line that names the file") {
       {{"--path", bad}, "bad.json: keys[0].eye: three numbers are needed"},
       {{"--path", "nowhere"}, "nowhere: no such camera path"},
       {{"--plant", "shrub=" + (folder.path() / "bad.glb").string()}, "bad.glb: "},
+      {{"--orthophoto", folder.path() / "none.tif"}, "none.tif: "},
       {{"--out", folder.path() / "taken"}, "taken: "},
   };
   for (const Case& c : cases) {

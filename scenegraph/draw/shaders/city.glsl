@@ -11,3 +11,6 @@ layout(location = 0) out vec4 colour;
 float cover(float x, float w, float a, float b) {
   return clamp((min(x + 0.5 * w, b) - max(x - 0.5 * w, a)) / w, 0.0, 1.0);
 }
+
+// Below: x and y in L, relative to the eye.
+vec2 on_ground() { return rel.xy - place.z * frame.up.xy; }

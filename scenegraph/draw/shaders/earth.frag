@@ -23,6 +23,7 @@ void main() {
   float fine = (value_noise(p * 5.0) - 0.5) * (1.0 - smoothstep(0.1, 0.4, pixel));
   vec3 base = mix(vec3(0.105, 0.130, 0.050), vec3(0.165, 0.155, 0.085), clamp(0.45 + coarse + 0.5 * middle, 0.0, 1.0));
   base *= (1.0 + 0.3 * middle + 0.35 * fine);
+  base = photographed(base, d.xy * t);
   vec3 ground = base * diffuse_light(frame.up.xyz, 0.9);
   colour = vec4(film(mix(air_light(d), ground, exp2(-t * frame.fog.x))), 1.0);
 }

@@ -20,5 +20,6 @@ void main() {
   float tone = 1.0 + rough * (0.34 * coarse + 0.30 * middle + 0.36 * fine) + furrow - 0.22 * joint;
   vec3 base = albedo * tone * (green ? vec3(0.82, 0.74, 0.78) : vec3(1.0));
   base = green ? mix(base, base * vec3(1.18, 1.00, 0.66), clamp(0.5 + 1.4 * coarse + 0.6 * middle, 0.0, 1.0) * 0.55) : base;
+  base = photographed(base, on_ground());
   colour = picture(base * diffuse_light(n, 0.9), rel);
 }

@@ -18,5 +18,6 @@ void main() {
   float fine = (1.0 - smoothstep(0.03, 0.15, fwidth(place.x) + fwidth(place.y))) * (value_noise(place.xy * 23.0) - 0.5);
   vec3 base = albedo * (0.86 + 0.22 * worn + 0.20 * fine);
   base = mix(base, vec3(0.62), paint * (0.75 + 0.2 * worn));
+  base = photographed(base, on_ground());
   colour = picture(base * diffuse_light(normalize(smooth_normal), 0.85), rel);
 }

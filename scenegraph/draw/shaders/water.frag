@@ -10,7 +10,7 @@ void main() {
   float miss = 1.0 - facing;
   float fresnel = 0.03 + 0.97 * miss * miss * miss * miss * miss;
   vec3 mirrored = reflect(d, n);
-  vec3 deep = albedo * 0.35 * diffuse_light(frame.up.xyz, 1.0);
+  vec3 deep = photographed(albedo * 0.35, on_ground()) * diffuse_light(frame.up.xyz, 1.0);
   float glint = pow(max(dot(mirrored, frame.sun.xyz), 0.0), 180.0);
   colour = picture(mix(deep, sky_light(mirrored), fresnel) + frame.sun_light.rgb * glint, rel);
 }
