@@ -129,6 +129,8 @@ Plants load_named_plants(const Options& options) {
 }
 
 Imported load_city(const Options& options, Plants& plants) {
+  if (!options.orthophoto.empty() && !std::filesystem::exists(options.orthophoto))  // before the work, not after
+    throw std::runtime_error(options.orthophoto.string() + ": no such file");
   Imported city = load_plain_city(options, plants);
   Scene& scene = city.scene;
   if (!options.orthophoto.empty())
