@@ -106,7 +106,7 @@ apps::Script plot_of(std::span<const TradePoint> points, const std::string& plan
       apps::in_quotes(plant +
                       ": error over the share of all detail's primitives; dotted: a height's limit; rings: profiles") +
       "\nset logscale xy\nset format '%g'\nset rmargin 3\nset key inside left bottom font ',9' samplen 1 opaque\n";
-  for (const Measure& m : kMeasures) script.text += panel(points, plant, m, &m == kMeasures.data()) + "\n";
+  for (const Measure& m : kMeasures) script.text += panel(points, plant, m, &m == &kMeasures[1]) + "\n";
   script.text += "unset multiplot\n";
   return script;
 }
