@@ -5,6 +5,8 @@
 
 #include "apps/common/clock.h"
 #include "apps/common/quantile.h"
+#include "foliage/gl/ldm_sampler.h"
+#include "foliage/make_ldm.h"
 
 namespace manzana::foliage_benchmark {
 
@@ -19,12 +21,22 @@ Ground::Ground(std::span<const foliage::PreparedPlant> plants, const std::vector
   costs_ = make_costs(stage_.table());
 }
 
+void Ground::make_packs(std::span<const foliage::PreparedPlant> plants) {
+  constexpr int kFine = 2;
+  if (far_) return;
+  far_.emplace(plants.size(), shaders_with_mask());
+  for (std::uint32_t i = 0; i < plants.size(); ++i) {
+    foliage::LdmSamplerGl sampler(plants[i], kFine);
+    add_pack(*far_, i, make_ldm_pack(ldm_ball(plants[i]), draw::kFarPack, std::ref(sampler)));
+  }
+}
+
 HowDrawn Ground::how_drawn(const Runs& runs, const Shot& shot, double vertices) {
   stage_.set_law(Law::ours);
   const auto rows = rows_seen_from(shot.view.eye);
   const double error =
       error_for(costs_, stage_.table(), {stage_.sites(), rows, runs, 1 / shot.focal_px}, {.vertices = vertices});
-  return {error * shot.focal_px, Sampling::product};
+  return {.error_px = error * shot.focal_px, .sampling = Sampling::product, .far = far_ ? &*far_ : nullptr};
 }
 
 void Ground::measure(const Shot& shot, double vertices, double seconds, TimeRow& row) {
@@ -32,6 +44,7 @@ void Ground::measure(const Shot& shot, double vertices, double seconds, TimeRow&
   const HowDrawn how = how_drawn(all, shot, vertices);
   row.covered_px = static_cast<double>(covered(stage_.draw(all, shot, how)));
   set_shown(stage_.shown(), row);
+  if (far_) *row.primitives += 2 * far_->chosen.mosaics;
   row.error_px = how.error_px;
   row.trees = trees_of(all);
   row.reference_primitives = full_primitives(stage_, all);
@@ -48,7 +61,7 @@ void Ground::time(const Shot& shot, const HowDrawn& how, const Runs& all, double
   };
   const auto full = [&] {
     stage_.set_law(Law::full);
-    stage_.draw_only(some, shot, how);
+    stage_.draw_only(some, shot, {how.error_px, how.sampling});
   };
   PairTimes times = time_pairs(ours, full, seconds, 1);
   const auto drawn = static_cast<double>(std::max<std::uint64_t>(1, full_primitives(stage_, some)));

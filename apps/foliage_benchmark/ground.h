@@ -13,6 +13,9 @@ class Ground {
   Ground(std::span<const foliage::PreparedPlant> plants, const std::vector<foliage::TreeSite>& sites,
          double most_full_quads);
 
+  /// From now on plants that are small in the picture are mosaics of packs, as in the walkthrough.
+  void make_packs(std::span<const foliage::PreparedPlant> plants);
+
   /// Ours with all plants in view, with a pixel of error, or with more where so many vertices bind (0: none do),
   /// against all detail of some.
   void measure(const Shot& shot, double vertices, double seconds, TimeRow& row);
@@ -28,6 +31,7 @@ class Ground {
   std::vector<Extent> extents_;
   Stage stage_;
   foliage::CostTable costs_;
+  std::optional<draw::FarTrees> far_;
 };
 
 }  // namespace manzana::foliage_benchmark

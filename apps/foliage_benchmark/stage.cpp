@@ -183,11 +183,20 @@ Stage::Room& Stage::room_for(int width, int height, int samples) {
   return rooms_.emplace_back(make_room(width, height, samples));
 }
 
+std::vector<std::uint32_t> Stage::words_of(std::span<const foliage::Run> runs, const Shot& shot,
+                                           const HowDrawn& how) const {
+  std::vector<std::uint32_t> words;
+  for (const foliage::Run& run : runs)
+    for (std::uint32_t site = run.first; site < run.last; ++site) words.push_back(site);
+  if (how.far == nullptr) return words;
+  const auto rows = rows_seen_from(shot.view.eye);
+  words.resize(split_trees(*how.far, {store_.table, {sites_, rows, runs, how.error_px / shot.focal_px}}, words.data()));
+  return words;
+}
+
 void Stage::begin(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) {
   in_view_ = {};
-  std::vector<std::uint32_t> trees;
-  for (const foliage::Run& run : runs)
-    for (std::uint32_t site = run.first; site < run.last; ++site) trees.push_back(site);
+  const std::vector<std::uint32_t> trees = words_of(runs, shot, how);
   in_view_.buffer = trees_.name();
   in_view_.trees = static_cast<std::uint32_t>(trees.size());
   in_view_.error_at_1m = how.error_px / shot.focal_px;
@@ -223,7 +232,7 @@ void Stage::clear(Room& room) {
   glClearNamedFramebufferfv(room.drawn.name(), GL_DEPTH, 0, &nothing.x);
 }
 
-void Stage::extract_and_draw(Room& room, const Shot& shot) {
+void Stage::extract_and_draw(Room& room, const Shot& shot, draw::FarTrees* far) {
   extract(extractor_, store_, in_view_);
   clear(room);
   const double enlarged = static_cast<double>(room.width) / shot.width;
@@ -231,6 +240,7 @@ void Stage::extract_and_draw(Room& room, const Shot& shot) {
   options.focal_px = static_cast<float>(shot.focal_px * enlarged);
   options.samples = room.samples;
   draw_plants(programs_, store_, extractor_, options);
+  if (far != nullptr) draw_far_trees(*far, room.samples);
 }
 
 /// Means over squares of `factor` pixels.
@@ -278,7 +288,7 @@ Stage::Room& Stage::paint_into_room(const Paint& paint, const Shot& shot, Sampli
 Stage::Room& Stage::draw_into_room(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) {
   Room& room = room_for(shot, how.sampling);
   begin(runs, shot, how);
-  extract_and_draw(room, shot);
+  extract_and_draw(room, shot, how.far);
   return room;
 }
 

@@ -11,6 +11,7 @@
 #include "culling/frustum.h"
 #include "foliage/detail.h"
 #include "foliage/gl/draw_plants.h"
+#include "scenegraph/draw/far_trees.h"
 
 namespace manzana::foliage_benchmark {
 
@@ -45,6 +46,7 @@ struct HowDrawn {
   double error_px = 1;
   Sampling sampling = Sampling::fine;
   bool heed_neighbours = true;
+  draw::FarTrees* far = nullptr;  ///< small trees are mosaics of its packs, as in the walkthrough; null: none are
 };
 
 /// Triangles and points.
@@ -99,7 +101,8 @@ class Stage {
   void begin(const Shot& shot);
   void begin(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
   static void clear(Room& room);
-  void extract_and_draw(Room& room, const Shot& shot);
+  std::vector<std::uint32_t> words_of(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) const;
+  void extract_and_draw(Room& room, const Shot& shot, draw::FarTrees* far);
   Room& draw_into_room(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
   Room& paint_into_room(const Paint& paint, const Shot& shot, Sampling sampling);
   static Picture read(Room& room, int factor);
