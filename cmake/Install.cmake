@@ -21,6 +21,7 @@ install_component(culling manzana_culling manzana_highway)
 install_component(foliage manzana_files manzana_foliage manzana_plant_import)
 install_component(scenegraph manzana_scenegraph)
 install_component(import manzana_import)
+install_component(export manzana_export)
 install_component(draw manzana_glad manzana_gl manzana_foliage_gl manzana_draw)
 install_component(view manzana_view)
 
@@ -53,6 +54,9 @@ endif()
 if(with_gdal)
   set(gdal gdal)
 endif()
+install_pc(manzana-export "Cities to 3D Tiles and GeoPackage"
+  manzana_export manzana_import manzana_plant_import manzana_scenegraph manzana_foliage manzana_files manzana_culling
+  sqlite3 tinygltf meshoptimizer GeographicLib geos_c expat bz2 z lz4 xxhash stb ${proj} ${gdal} hwy tbb pthread)
 install_pc(manzana "Cities and forests, drawn in another program's window"
   manzana_view manzana_draw manzana_foliage_gl manzana_gl manzana_glad manzana_import manzana_plant_import
   manzana_scenegraph manzana_foliage manzana_files manzana_culling tinygltf meshoptimizer GeographicLib geos_c expat bz2 z
