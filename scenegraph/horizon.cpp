@@ -49,7 +49,7 @@ bool is_wall(const CityVertex& v) { return static_cast<Material>(v.colour >> 24)
 bool same_place(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y; }
 
 /// Of two triangles that make an upright rectangle, or trapezium, the corners: low left, low right, top right and left.
-std::optional<std::array<const CityVertex*, 4>> upright(const CityMesh& mesh, std::size_t i) {
+std::optional<std::array<const CityVertex*, 4>> upright(const StoredMesh& mesh, std::size_t i) {
   const std::uint32_t* k = &mesh.indices[i];
   if (k[3] != k[0] || k[4] != k[2]) return {};
   const std::array<const CityVertex*, 4> q{&mesh.vertices[k[0]], &mesh.vertices[k[1]], &mesh.vertices[k[2]],

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "culling/vec.h"
+#include "scenegraph/column.h"
 
 namespace manzana {
 
@@ -40,6 +41,12 @@ static_assert(sizeof(CityVertex) == 32);
 struct CityMesh {
   std::vector<CityVertex> vertices;
   std::vector<std::uint32_t> indices;
+};
+
+/// The same, of a whole layer, that may stay in the file that it was baked into.
+struct StoredMesh {
+  Column<CityVertex> vertices;
+  Column<std::uint32_t> indices;
 };
 
 inline std::uint32_t pack_colour(std::uint32_t rgb, Material material) {  // rgb as 0xRRGGBB

@@ -24,7 +24,7 @@ namespace manzana {
 /// one run of indices.
 struct MeshLayer {
   LayerTable table;
-  CityMesh mesh;
+  StoredMesh mesh;
   std::vector<std::uint32_t> index_first;
 };
 

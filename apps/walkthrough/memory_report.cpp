@@ -11,7 +11,16 @@ double bytes_of(const std::vector<T>& items) {
   return static_cast<double>(items.size() * sizeof(T));
 }
 
-double bytes_of(const CityMesh& mesh) { return bytes_of(mesh.vertices) + bytes_of(mesh.indices); }
+double bytes_of(const StoredMesh& mesh) {
+  return static_cast<double>(mesh.vertices.items().size_bytes() + mesh.indices.items().size_bytes());
+}
+
+/// Those of a baked city stay in its file, and are read from there when they are first in sight.
+MemoryPart meshes_on_host(const Scene& scene, double needed) {
+  const double all = bytes_of(scene.buildings.mesh) + bytes_of(scene.surfaces.mesh);
+  if (scene.buildings.mesh.vertices.mapped()) return {"meshes, in the file alone", all};
+  return {"meshes of buildings and surfaces", all, needed};
+}
 
 double bytes_of(const foliage::PreparedPlant& plant) {
   return bytes_of(plant.bark) + bytes_of(plant.leaves) + bytes_of(plant.lines) + bytes_of(plant.points) +
@@ -80,7 +89,7 @@ MemoryReport report_memory(const Scene& scene, std::span<const foliage::Prepared
            {"nodes of a host", held(device.nodes)},
            {"frames' streams", held(device.stream)},
            {"pictures", held(device.pictures)}},
-          {{"meshes of buildings and surfaces", bytes_of(scene.buildings.mesh) + bytes_of(scene.surfaces.mesh), meshes},
+          {meshes_on_host(scene, meshes),
            {"plants", host_plants, share * host_plants},
            {"trees", bytes_of(scene.trees.instances)},
            {"photo of the ground", held(bytes_of(scene.photo))},

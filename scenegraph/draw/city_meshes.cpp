@@ -21,8 +21,14 @@ culling::ObjectRun vertices_of(std::span<const std::uint32_t> indices) {
 }
 
 std::span<const std::uint32_t> indices_of(const MeshLayer& layer, const culling::ObjectRun& rows) {
-  return std::span(layer.mesh.indices)
-      .subspan(layer.index_first[rows.first], layer.index_first[rows.last] - layer.index_first[rows.first]);
+  return layer.mesh.indices.items().subspan(layer.index_first[rows.first],
+                                            layer.index_first[rows.last] - layer.index_first[rows.first]);
+}
+
+/// Of a baked city, what was copied from the file.
+void let_go(const MeshLayer& layer, const Piece& piece) {
+  layer.mesh.vertices.let_go(piece.vertices.first, piece.vertices.last);
+  layer.mesh.indices.let_go(layer.index_first[piece.rows.first], layer.index_first[piece.rows.last]);
 }
 
 /// The piece's part of the mesh, its vertices counted from its first; a vertex's block has the street's lanes above it.
@@ -41,6 +47,7 @@ CityMesh mesh_of(const MeshLayer& layer, const Piece& piece, std::span<const std
       vertex.colour = pack_colour(colours[row], static_cast<Material>(vertex.colour >> 24));
     }
   }
+  let_go(layer, piece);
   return mesh;
 }
 
@@ -110,6 +117,7 @@ std::vector<Piece> cut_into_pieces(const MeshLayer& layer) {
                                                              std::max(piece.vertices.last, reached.last)};
     piece.indices += static_cast<std::uint32_t>(more.size());
   }
+  layer.mesh.indices.let_go(0, layer.mesh.indices.size());
   return pieces;
 }
 

@@ -57,7 +57,7 @@ Vec2d direction_of(const MeshLayer& layer, const MeshRow& row) {
 
 Building building_of(const MeshLayer& layer, std::uint32_t index) {
   const MeshRow row = row_of(layer, index);
-  Building building{std::span(layer.mesh.vertices).subspan(row.first, row.last - row.first), row, {}};
+  Building building{layer.mesh.vertices.items().subspan(row.first, row.last - row.first), row, {}};
   building.box.along = direction_of(layer, row);
   for (const CityVertex& v : building.vertices) building.box.add(Vec3d(v.position));
   return building;

@@ -117,7 +117,7 @@ class Writer {
   // What is seen of it from above.
   void add_building(std::uint32_t block, std::uint32_t index) {
     constexpr double kLeast = 1e-4;  // m2, in plan: smaller triangles stand upright
-    const CityMesh& mesh = scene_.buildings.mesh;
+    const StoredMesh& mesh = scene_.buildings.mesh;
     std::vector<Geometry> triangles;
     const MeshRow row = row_of(scene_.buildings, index);
     for (std::uint32_t i = row.index_first; i + 2 < row.index_last; i += 3) {

@@ -26,7 +26,7 @@ bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) &&
 bool is_prefix(const Indices& first, std::size_t rows, std::size_t last) {
   return first.size() == rows + 1 && first[0] == 0 && first[rows] == last && std::is_sorted(first.begin(), first.end());
 }
-bool all_below(const Indices& values, std::size_t end) {
+bool all_below(std::span<const std::uint32_t> values, std::size_t end) {
   return std::ranges::all_of(values, [&](std::uint32_t v) { return v < end; });
 }
 
@@ -107,9 +107,9 @@ void check_layer(const Scene& scene, const MeshLayer& layer) {
   need(is_prefix(layer.index_first, layer.table.size(), layer.mesh.indices.size()), "a layer's indices");
   need(layer.mesh.indices.size() % 3 == 0, "a layer's triangles");
   need(std::ranges::all_of(layer.index_first, [](std::uint32_t i) { return i % 3 == 0; }), "an object's triangles");
-  need(all_below(layer.mesh.indices, layer.mesh.vertices.size()), "an index");
+  for_each_part(layer.mesh.indices, [&](auto part) { need(all_below(part, layer.mesh.vertices.size()), "an index"); });
   const auto bad = [&](const CityVertex& v) { return v.block >= scene.blocks.size(); };
-  need(std::ranges::none_of(layer.mesh.vertices, bad), "a vertex's block");
+  for_each_part(layer.mesh.vertices, [&](auto part) { need(std::ranges::none_of(part, bad), "a vertex's block"); });
 }
 
 void check_trees(const Scene& scene) {

@@ -76,6 +76,16 @@ std::string_view bytes_of(const auto& items) {
   return {reinterpret_cast<const char*>(items.data()), items.size() * sizeof(*items.data())};
 }
 
+std::uint64_t checksum_of(const auto& column) { return checksum_of(bytes_of(column)); }
+/// Without holding all of it at once.
+template <class Item>
+std::uint64_t checksum_of(const Column<Item>& column) {
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), &XXH3_freeState);
+  XXH3_64bits_reset(state.get());
+  for_each_part(column, [&](auto part) { XXH3_64bits_update(state.get(), part.data(), part.size_bytes()); });
+  return XXH3_64bits_digest(state.get());
+}
+
 /// Rows with nothing by chance between their members.
 template <class Row>
 std::vector<Row> zeroed(std::size_t n) {
@@ -143,7 +153,8 @@ Single single_of(const Imported& city) {
 
 class Reader {
  public:
-  explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {
+  /// `file`: what keeps the bytes, if they are a mapped file's.
+  Reader(std::span<const std::byte> bytes, std::shared_ptr<const void> file) : bytes_(bytes), file_(std::move(file)) {
     Header header;
     need(bytes.size() >= sizeof header, "is no baked city");
     std::memcpy(&header, bytes.data(), sizeof header);
@@ -173,15 +184,20 @@ class Reader {
              found->items <= (bytes_.size() - found->offset) / sizeof(Item),
          "is damaged: a column reaches beyond its end");
     const std::byte* at = bytes_.data() + found->offset;
-    const std::string_view content(reinterpret_cast<const char*>(at), found->items * sizeof(Item));
-    if (checksum_of(content) != found->checksum)
+    const std::span<const Item> items(reinterpret_cast<const Item*>(at), found->items);
+    fill(column, items);
+    if (checksum_of(column) != found->checksum)
       throw std::runtime_error("is damaged: column " + std::to_string(id) + " is not what was written");
-    check_raw<Item>(content);
-    const auto* first = reinterpret_cast<const Item*>(at);
-    column.assign(first, first + found->items);
+    check_raw<Item>(bytes_of(items));
   }
 
  private:
+  void fill(auto& column, const auto& items) const { column.assign(items.begin(), items.end()); }
+  /// Meshes stay in the file.
+  template <class Item>
+  void fill(Column<Item>& column, const std::span<const Item>& items) const {
+    file_ ? void(column = Column<Item>(items, file_)) : column.own().assign(items.begin(), items.end());
+  }
   static void need(bool holds, const char* what) {
     if (!holds) throw std::runtime_error(what);
   }
@@ -194,12 +210,13 @@ class Reader {
   }
 
   std::span<const std::byte> bytes_;
+  std::shared_ptr<const void> file_;
   std::vector<Section> table_;
 };
 
-Imported imported_from(std::span<const std::byte> bytes) {
+Imported imported_from(std::span<const std::byte> bytes, std::shared_ptr<const void> file) {
   const auto start = std::chrono::steady_clock::now();
-  const Reader reader(bytes);
+  const Reader reader(bytes, std::move(file));
   std::vector<Single> singles;
   reader.take(1, singles);
   if (singles.size() != 1) throw std::runtime_error("is damaged: its first column");
@@ -219,7 +236,7 @@ Imported imported_from(std::span<const std::byte> bytes) {
   return city;
 }
 
-/// A file in memory; unmapped at the end.
+/// A file in memory; unmapped at the end. It is mapped as it is, whatever takes its name later.
 class Mapped {
  public:
   explicit Mapped(const std::filesystem::path& file) {
@@ -228,7 +245,7 @@ class Mapped {
     struct stat status {};
     const bool regular = fstat(handle, &status) == 0 && S_ISREG(status.st_mode);
     size_ = regular ? static_cast<std::size_t>(status.st_size) : 0;
-    if (size_ > 0) at_ = mmap(nullptr, size_, PROT_READ, MAP_PRIVATE | MAP_POPULATE, handle, 0);
+    if (size_ > 0) at_ = mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, handle, 0);
     const int error = errno;
     close(handle);
     if (!regular) throw std::runtime_error("is no file");
@@ -240,6 +257,10 @@ class Mapped {
   Mapped(const Mapped&) = delete;
   Mapped& operator=(const Mapped&) = delete;
   std::span<const std::byte> bytes() const { return {static_cast<const std::byte*>(at_), size_}; }
+  /// What was read of it need not stay in memory.
+  void let_go() const {
+    if (size_ > 0) madvise(at_, size_, MADV_DONTNEED);
+  }
 
  private:
   [[noreturn]] static void fail() {
@@ -268,7 +289,7 @@ void write_baked(const std::filesystem::path& file, const Imported& city) {
 
 Imported read_baked_bytes(std::span<const std::byte> bytes, const std::string& name) {
   try {
-    return imported_from(bytes);
+    return imported_from(bytes, {});
   } catch (const std::exception& error) {
     throw std::runtime_error(name + ": " + error.what());
   }
@@ -276,8 +297,10 @@ Imported read_baked_bytes(std::span<const std::byte> bytes, const std::string& n
 
 Imported read_baked(const std::filesystem::path& file) {
   try {
-    const Mapped mapped(file);
-    return imported_from(mapped.bytes());
+    const auto mapped = std::make_shared<const Mapped>(file);
+    Imported city = imported_from(mapped->bytes(), mapped);
+    mapped->let_go();
+    return city;
   } catch (const std::exception& error) {
     throw std::runtime_error(file.string() + ": " + error.what());
   }

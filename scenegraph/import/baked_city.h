@@ -1,6 +1,7 @@
 #pragma once
 /// A city that was imported before: FILE.manzana. Its columns lie in the file as they lie in memory, each with its
-/// checksum, and are mapped and copied: what is left of an import is the time to read.
+/// checksum. The file is mapped: meshes stay in it, and come to memory piece by piece as drawing asks for them; the
+/// other columns are copied. What is left of an import is the time to read and check.
 ///   write_baked("city.manzana", import_city("city.osm.pbf"));     // manzana-bake import
 ///   Imported city = import_city("city.manzana");                   // as any other
 /// For this machine's byte order, and this version alone: a file of another is refused, to be baked again. Whole or not

@@ -22,9 +22,10 @@ void append(MeshLayer& layer, const MeshObject& object) {
     throw std::runtime_error("more than 2^32 vertices or indices in one layer");
   for (CityVertex v : object.mesh.vertices) {
     v.block = object.block;
-    layer.mesh.vertices.push_back(v);
+    layer.mesh.vertices.own().push_back(v);
   }
-  for (const std::uint32_t i : object.mesh.indices) layer.mesh.indices.push_back(static_cast<std::uint32_t>(base) + i);
+  for (const std::uint32_t i : object.mesh.indices)
+    layer.mesh.indices.own().push_back(static_cast<std::uint32_t>(base) + i);
   layer.index_first.push_back(static_cast<std::uint32_t>(layer.mesh.indices.size()));
 }
 

@@ -29,9 +29,10 @@ MeshLayer mixed_layer() {
 }  // namespace
 
 TEST_CASE("sorting by paint keeps every triangle of every object, each once") {
-  const MeshLayer layer = mixed_layer();
-  const PaintedIndices sorted = sort_by_paint(layer.mesh, layer.index_first);
-  REQUIRE(sorted.indices.size() == layer.mesh.indices.size());
+  MeshLayer layer = mixed_layer();
+  const CityMesh mesh{layer.mesh.vertices.own(), layer.mesh.indices.own()};
+  const PaintedIndices sorted = sort_by_paint(mesh, layer.index_first);
+  REQUIRE(sorted.indices.size() == mesh.indices.size());
   for (std::size_t i = 0; i + 1 < layer.index_first.size(); ++i) {
     std::vector<Triangle> of_object;
     for (const auto& first : sorted.first) {
@@ -39,7 +40,7 @@ TEST_CASE("sorting by paint keeps every triangle of every object, each once") {
       of_object.insert(of_object.end(), part.begin(), part.end());
     }
     std::sort(of_object.begin(), of_object.end());
-    CHECK(of_object == triangles(layer.mesh.indices, layer.index_first[i], layer.index_first[i + 1]));
+    CHECK(of_object == triangles(mesh.indices, layer.index_first[i], layer.index_first[i + 1]));
   }
 }
 

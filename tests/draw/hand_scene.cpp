@@ -26,9 +26,9 @@ void append(MeshLayer& layer, const HandMesh& mesh, std::uint32_t block) {
   const auto base = static_cast<std::uint32_t>(layer.mesh.vertices.size());
   for (CityVertex v : mesh.vertices) {
     v.block = block;
-    layer.mesh.vertices.push_back(v);
+    layer.mesh.vertices.own().push_back(v);
   }
-  for (const std::uint32_t i : mesh.indices) layer.mesh.indices.push_back(base + i);
+  for (const std::uint32_t i : mesh.indices) layer.mesh.indices.own().push_back(base + i);
   layer.index_first.push_back(static_cast<std::uint32_t>(layer.mesh.indices.size()));
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scenegraph/draw/renderer.h"
+#include "scenegraph/import/baked_city.h"
 #include "tests/support/data.h"
 #include "tests/support/program.h"
 
@@ -160,6 +161,34 @@ TEST_CASE("program: memory is reported and what it has no room for is told") {
   CHECK(std::stod(all.out.substr(all.out.find("over_model: device ") + 19)) <= 1.5);
   const Ended none = run("none", {"--gpu-mb", "1"});
   CHECK(none.err.find("no room for all meshes in view") != std::string::npos);
+}
+
+TEST_CASE("program: a baked city with little room for meshes gives the pictures of the imported one") {
+  const TemporaryFolder folder;
+  const Path baked = folder.path() / "town.manzana";
+  manzana::write_baked(baked, manzana::import_city("builtin:town", {.cars = 300}, {}));
+  const auto run = [&](const char* name, const std::string& city, std::vector<std::string> more) {
+    more.insert(more.end(), {"--report-memory", "--no-wind", "--no-packs"});
+    const Ended ended = run_walkthrough(folder.path(), small_run(folder.path() / name, city, std::move(more)));
+    REQUIRE(ended.code == 0);
+    return ended;
+  };
+  const auto device_mb = [](const std::string& report, const std::string& part) {
+    double sum = 0;
+    std::istringstream lines(report);
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with("  device  " + part)) sum += std::stod(line.substr(44));
+    return sum;
+  };
+  const Ended all = run("all", "builtin:town", {});
+  const double meshes = device_mb(all.out, "meshes");
+  const double little = device_mb(all.out, "") - meshes / 3;
+  const Ended some = run("some", baked, {"--gpu-mb", std::to_string(little)});
+  CHECK(some.out.find("meshes, in the file alone") != std::string::npos);
+  CHECK(some.err.find("no room") == std::string::npos);
+  CHECK(device_mb(some.out, "meshes") < 0.8 * meshes);
+  for (const char* frame : {"frame_0000.png", "frame_0003.png"})
+    CHECK(read_all(folder.path() / "all" / frame) == read_all(folder.path() / "some" / frame));
 }
 
 TEST_CASE("program: no display and no --headless goes headless and says so") {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstring>
+#include <fstream>
 
 #include "scenegraph/tree_sites.h"
 #include "scenegraph/visible.h"
@@ -169,4 +170,38 @@ TEST_CASE("baked: nothing that is read with checksums that fit can crash who use
   }
   CHECK(refused > 300);
   CHECK(used > 100);
+}
+
+namespace {
+
+/// Of files, in this process's memory.
+std::size_t resident_file_bytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("RssFile:")) return std::stoull(line.substr(8)) * 1024;
+  return 0;
+}
+
+}  // namespace
+
+TEST_CASE("baked: meshes stay in the file and come when they are read and go") {
+  const TemporaryFolder folder;
+  const Imported town = import_city("builtin:town", {.cars = 0}, {});
+  write_baked(folder.path() / "town.manzana", town);
+  (void)read_baked(folder.path() / "town.manzana");  // the code is in memory then
+  const std::size_t before = resident_file_bytes();
+  const Imported back = read_baked(folder.path() / "town.manzana");
+  std::filesystem::remove(folder.path() / "town.manzana");  // what is mapped stays
+  const StoredMesh& mesh = back.scene.buildings.mesh;
+  const std::size_t bytes = mesh.vertices.items().size_bytes() + mesh.indices.items().size_bytes();
+  REQUIRE(mesh.vertices.mapped());
+  REQUIRE(bytes > 1'000'000);
+  const auto held = [&] { return static_cast<double>(resident_file_bytes()) - static_cast<double>(before); };
+  CHECK(held() < 0.5 * static_cast<double>(bytes));  // beside them other columns' pages
+  CHECK(std::memcmp(mesh.vertices.data(), town.scene.buildings.mesh.vertices.data(),
+                    mesh.vertices.items().size_bytes()) == 0);
+  CHECK(held() > 0.5 * static_cast<double>(bytes));
+  mesh.vertices.let_go(0, mesh.vertices.size());
+  CHECK(held() < 0.5 * static_cast<double>(bytes));
+  CHECK(mesh.indices == town.scene.buildings.mesh.indices);
 }

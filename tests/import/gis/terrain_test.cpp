@@ -56,7 +56,7 @@ struct Built {
 /// Of the middles of their triangles, above the terrain: the lowest, and the share of those within 0.3 m. Without the
 /// concrete of bridges, whose walls go down into the ground.
 std::pair<double, double> heights_of_surfaces(const Built& built) {
-  const CityMesh& mesh = built.city.scene.surfaces.mesh;
+  const StoredMesh& mesh = built.city.scene.surfaces.mesh;
   double lowest = 1e9, near = 0, all = 0;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     const CityVertex &a = mesh.vertices[mesh.indices[i]], &b = mesh.vertices[mesh.indices[i + 1]],
