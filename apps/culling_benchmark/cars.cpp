@@ -88,7 +88,7 @@ std::vector<culling::View> fly(const Scene& scene, const CarsFlight& flight) {
 }
 
 CarsBuffers::CarsBuffers(const Scene& scene)
-    : sets(scene), selection(scene.traffic.cars()), instances(scene.traffic.cars()) {}
+    : sets(scene), selection(scene.traffic.cars()), instances(draw::most_instances(scene.traffic.cars())) {}
 
 CarsFrame cars_frame(const Scene& scene, const culling::View& view, std::uint64_t tick, CarsBuffers& buffers) {
   CarsFrame frame;

@@ -30,7 +30,7 @@ CarLayerGpu::CarLayerGpu(std::size_t cars)
 
 Drawn draw_cars(CarLayerGpu& layer, const Scene& scene, std::span<const CarState> cars, const Vec3d& eye,
                 gl::StreamBuffer& stream) {
-  const auto instances = stream.take<Instance>(cars.size());
+  const auto instances = stream.take<Instance>(layer.selection.bins.total());
   place_cars(scene, cars, eye, layer.selection, instances.items);
   glUseProgram(layer.program.name());
   return draw_instances(layer.meshes, layer.selection.bins, stream, instances.offset);

@@ -15,8 +15,10 @@ enum class CarBody : std::uint8_t { saloon, hatchback, van, count };
 inline constexpr std::size_t kCarBodies = static_cast<std::size_t>(CarBody::count);
 inline constexpr std::size_t kCarLevels = 4;
 
-/// Down to so many pixels of the car's radius each level is drawn.
+/// Down to so many pixels of the car's radius each level is all that is drawn; it then gives way to the next, and is
+/// gone where the car is kCarFade times smaller. [numerics 13.4]
 inline constexpr std::array<double, kCarLevels> kCarMinRadiusPx{70, 26, 9, 0};
+inline constexpr double kCarFade = 1.25;
 
 /// Colours are the shader's (car.vert), but for paint, which is the instance's.
 enum class CarPart : std::uint32_t { paint, glass, rubber, metal, head_light, tail_light };

@@ -103,7 +103,7 @@ std::size_t Renderer::State::bytes_of_frame(const VisibleSets& sets) const {
   return StreamBuffer::padded(sizeof(FrameData)) + StreamBuffer::padded(sizeof(glsl::PhotoData)) +
          StreamBuffer::padded((rows.size() + 1) * sizeof(Rows)) +
          stream_bytes(meshes.buildings, sets.objects().size()) + stream_bytes(meshes.surfaces, sets.objects().size()) +
-         stream_bytes(trees) + stream_bytes(cars.meshes, sets.cars.size());
+         stream_bytes(trees) + stream_bytes(cars.meshes, most_instances(sets.cars.size()));
 }
 
 void Renderer::State::upload_frame(const VisibleSets& sets, const FrameData& frame) {
@@ -242,7 +242,8 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
   for (const culling::LeafRun& run : sets.blocks()) {
     for (std::uint32_t b = run.first; b < run.last; ++b) s.rows[b] = relative_to(camera.eye, scene.blocks[b]);
   }
-  count_cars(sets.cars, camera.eye, f_px / s.quality.tree_error_px, s.cars.selection);
+  const double error_px = options.tree_error_px > 0 ? options.tree_error_px : s.quality.tree_error_px;
+  count_cars(sets.cars, camera.eye, f_px / error_px, s.cars.selection);
 
   FrameCounts counts;
   const std::size_t held = s.meshes.held_bytes();
@@ -257,7 +258,6 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
   s.upload_frame(sets, frame);
   s.upload_photo(scene.photo, camera.eye);
   if (options.layers.trees) {
-    const double error_px = options.tree_error_px > 0 ? options.tree_error_px : s.quality.tree_error_px;
     const foliage::Law law = options.tree_law.value_or(s.quality.tree_law);
     const TreeDetail detail{law, error_px / f_px, options.tree_vertices, options.mosaics && law == foliage::Law::ours,
                             options.trees_by_node};

@@ -11,18 +11,29 @@ std::size_t level_of(double radius_px) {
   return level;
 }
 
+CarSelection::Choice choose(CarBody body, double radius_px) {
+  const std::size_t level = level_of(radius_px), first = static_cast<std::size_t>(body) * kCarLevels;
+  if (level > 0) {
+    const double high = kCarMinRadiusPx[level - 1], low = high / kCarFade;
+    if (radius_px > low)
+      return {static_cast<std::uint8_t>(first + level - 1), static_cast<float>((radius_px - low) / (high - low))};
+  }
+  return {static_cast<std::uint8_t>(first + level), 1};
+}
+
 }  // namespace
 
-CarSelection::CarSelection(std::size_t cars) : bins(kCarBodies * kCarLevels) { mesh_of.reserve(cars); }
+CarSelection::CarSelection(std::size_t cars) : bins(kCarBodies * kCarLevels) { chosen.reserve(cars); }
 
 void count_cars(std::span<const CarState> cars, const Vec3d& eye, double focal_px, CarSelection& selection) {
   selection.bins.clear();
-  selection.mesh_of.clear();
+  selection.chosen.clear();
   for (const CarState& car : cars) {
     const double radius_px = culling::projected_radius(kCarRadius, glm::distance(car.position, eye), focal_px);
-    const std::size_t mesh = static_cast<std::size_t>(car_body(car.car)) * kCarLevels + level_of(radius_px);
-    selection.mesh_of.push_back(static_cast<std::uint8_t>(mesh));
-    ++selection.bins.count[mesh];
+    const CarSelection::Choice chosen = choose(car_body(car.car), radius_px);
+    selection.chosen.push_back(chosen);
+    ++selection.bins.count[chosen.mesh];
+    if (chosen.share < 1) ++selection.bins.count[chosen.mesh + 1U];
   }
 }
 
@@ -34,7 +45,7 @@ Instance place_car(const CarState& car, const Vec3d& up, const Vec3d& eye) {
   for (int i = 0; i < 3; ++i) {
     instance.rows[static_cast<std::size_t>(i)] = Vec4(glm::dvec4(right[i], car.forward[i], top[i], at[i]));
   }
-  instance.extra = Vec4(car_paint(car.car), 0);
+  instance.extra = Vec4(car_paint(car.car), 1);
   return instance;
 }
 
@@ -43,7 +54,13 @@ void place_cars(const Scene& scene, std::span<const CarState> cars, const Vec3d&
   selection.bins.start();
   for (std::size_t i = 0; i < cars.size(); ++i) {
     const std::uint32_t block = scene.traffic.halves[cars[i].half].block;
-    slots[selection.bins.next[selection.mesh_of[i]]++] = place_car(cars[i], scene.blocks[block].axes[2], eye);
+    const CarSelection::Choice& chosen = selection.chosen[i];
+    Instance instance = place_car(cars[i], scene.blocks[block].axes[2], eye);
+    instance.extra.w = chosen.share;
+    slots[selection.bins.next[chosen.mesh]++] = instance;
+    if (chosen.share >= 1) continue;
+    instance.extra.w = -chosen.share;
+    slots[selection.bins.next[chosen.mesh + 1U]++] = instance;
   }
 }
 
