@@ -185,6 +185,11 @@ LeafScaleFit fit_leaf_scale(const PreparedPlant& plant, const Progress& progress
   return out;
 }
 
+float covered_m2(const PreparedPlant& plant, double rise) {
+  const Silhouettes pictures(plant, std::array{rise});
+  return static_cast<float>(sum(pictures.coverage(1, 1)) / kViews) * pictures.pixel_m2();
+}
+
 std::vector<float> fit_point_areas(const PreparedPlant& plant, const Progress& progress) {
   if (plant.leaves.empty()) return {};
   const Silhouettes pictures(plant, kPointViews);

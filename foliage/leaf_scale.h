@@ -22,6 +22,9 @@ struct LeafScaleFit {
 /// second for 100 000 triangles, on all cores.
 LeafScaleFit fit_leaf_scale(const PreparedPlant& plant, const Progress& progress = {});
 
+/// m2 that the plant hides, mean over eight sides; `rise`: how much higher the eye is than the plant, over how far away.
+float covered_m2(const PreparedPlant& plant, double rise);
+
 /// For each level of points by which factor its points' areas cover, as squares, what the leaves cover. Half the
 /// leaves' area is right only for points far apart: at the finest level points of one leaf hide each other, and merged
 /// ones no longer hide each other as the leaves did. In [1/8, 8].

@@ -44,19 +44,40 @@ draw::DrawOptions options_within_budget(const Stage& stage) {
   return options;
 }
 
+constexpr std::size_t kGroveBytesAFrame = 256 << 10;
+
 /// Packs that far trees asked for; true if there are new ones.
 bool add_packs(Stage& stage) {
   bool added = false;
   if (!stage.packs) return added;
   stage.packs->want(stage.renderer.packs_wanted());
   while (auto made = stage.whole ? stage.packs->wait_and_take() : stage.packs->take()) {
-    stage.renderer.add_pack(made->plant, std::move(made->pack));
+    stage.renderer.add_pack(made->key, std::move(made->value));
     added = true;
   }
   return added;
 }
 
+/// The same of groves: so many in a frame that nobody waits for them, unless a frame is to be whole.
+bool add_groves(Stage& stage) {
+  bool added = false;
+  if (!stage.groves) return added;
+  stage.groves->want(stage.renderer.groves_wanted());
+  for (std::size_t bytes = 0; stage.whole || bytes < kGroveBytesAFrame;) {
+    const auto made = stage.whole ? stage.groves->wait_and_take() : stage.groves->take();
+    if (!made) break;
+    added = stage.renderer.add_grove(made->key, made->value) || added;
+    bytes += made->value.points.size() * sizeof(foliage::LeafPoint);
+  }
+  return added;
+}
+
 }  // namespace
+
+void make_far_trees(Stage& stage, std::span<const foliage::PreparedPlant> plants) {
+  stage.packs.emplace(pack_maker(plants));
+  stage.groves.emplace(grove_maker(plants, stage.renderer));
+}
 
 Stage::Stage(const Scene& city, std::span<const foliage::PreparedPlant> plants, const draw::Quality& quality,
              draw::Size first_size, std::size_t gpu_bytes)
@@ -97,7 +118,8 @@ FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {
   stage.options.seconds = seconds;
   stage.timer.begin();
   draw::FrameCounts counts = stage.renderer.draw(stage.scene, stage.sets, view, options_within_budget(stage));
-  if (add_packs(stage) && stage.whole) {
+  const bool new_packs = add_packs(stage), new_groves = add_groves(stage);
+  if ((new_packs || new_groves) && stage.whole) {
     watch.lap();
     counts = stage.renderer.draw(stage.scene, stage.sets, view, options_within_budget(stage));
   }
@@ -112,7 +134,7 @@ FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {
   // Trees by the newest frame that the GPU has finished: this one, if it was waited for.
   const foliage::Shown trees = stage.renderer.trees_shown();
   row.triangles = counts.triangles + 2 * (trees.bark + trees.leaves + trees.lines);
-  row.points = trees.points;
+  row.points = trees.points + counts.points;
   row.tree_error_px = counts.tree_error_px;
   row.tree_law = counts.tree_law;
   row.trees_missing = trees.missing;

@@ -29,14 +29,19 @@ struct Stage {
   Horizon horizon;
   draw::Size size;
   Structure structure = Structure::bqr;
-  draw::DrawOptions options;       ///< with options.frozen set, that view culls and `view` looks at it from outside
-  bool wait = true;                ///< for the device at the end, so that draw_ms says all
-  std::optional<PackMaker> packs;  ///< of far trees; none: they are drawn as near ones are
-  bool whole = false;  ///< a frame waits for the packs that it asks for, so that two runs give equal pictures
+  draw::DrawOptions options;     ///< with options.frozen set, that view culls and `view` looks at it from outside
+  bool wait = true;              ///< for the device at the end, so that draw_ms says all
+  std::optional<Packs> packs;    ///< of far trees; none: they are drawn as near ones are
+  std::optional<Groves> groves;  ///< of blocks of them
+  bool whole =
+      false;  ///< a frame waits for the packs and groves that it asks for, so that two runs give equal pictures
   double tree_ms = 0;  ///< of a frame, that trees' vertices are kept to; 0: no limit
   foliage::TimeBudget time_budget;
   gl::FrameTimer timer;  ///< of the GPU; where there is none, frames are waited for and timed as a whole
 };
+
+/// From now on trees that are small are drawn as mosaics and groves. Plants and stage must stay where they are.
+void make_far_trees(Stage& stage, std::span<const foliage::PreparedPlant> plants);
 
 struct Options;
 /// What the command line says of structure and trees.

@@ -75,7 +75,7 @@ void run_headless(const Options& options, const Imported& city, std::span<const 
   PathNeeds needs(city.scene);
   apply(options, stage);
   stage.whole = true;
-  if (options.packs) stage.packs.emplace(plants);
+  if (options.packs) make_far_trees(stage, plants);
   const std::vector<FrameRow> rows = draw_path(options, stage, path, needs);
   const RunFacts facts{renderer, quality.name, path.name, largest_memory_mb()};
   files::write_whole(options.out / "frames.csv", to_csv(rows));

@@ -85,6 +85,7 @@ MemoryReport report_memory(const Scene& scene, std::span<const foliage::Prepared
   return {{{"meshes of buildings and surfaces", held(device.meshes), meshes},
            {"plants", held(device.plants), share * held(device.plants)},
            {"lists of trees", held(device.lists)},
+           {"groves", held(device.groves)},
            {"photo of the ground", held(device.photo)},
            {"nodes of a host", held(device.nodes)},
            {"frames' streams", held(device.stream)},

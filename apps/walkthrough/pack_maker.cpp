@@ -27,66 +27,25 @@ foliage::LdmPack make(const foliage::PreparedPlant& plant) {
 
 }  // namespace
 
-PackMaker::PackMaker(std::span<const foliage::PreparedPlant> plants) : plants_(plants), thread_([this] { work(); }) {}
-
-PackMaker::~PackMaker() {
-  {
-    const std::scoped_lock lock(mutex_);
-    stop_ = true;
-  }
-  changed_.notify_all();
-  thread_.join();
-}
-
-void PackMaker::want(std::span<const std::uint32_t> plants) {
-  if (plants.empty()) return;
-  const std::scoped_lock lock(mutex_);
-  for (const std::uint32_t plant : plants)
-    if (known_.insert(plant).second) todo_.push_back(plant);
-  changed_.notify_all();
-}
-
-std::optional<PackMaker::Made> PackMaker::take_locked() {
-  if (done_.empty()) return std::nullopt;
-  std::optional<Made> made(std::move(done_.front()));
-  done_.erase(done_.begin());
-  return made;
-}
-
-std::optional<PackMaker::Made> PackMaker::take() {
-  const std::scoped_lock lock(mutex_);
-  return take_locked();
-}
-
-std::optional<PackMaker::Made> PackMaker::wait_and_take() {
-  std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return !done_.empty() || (todo_.empty() && !busy_); });
-  return take_locked();
-}
-
 /// The context is the thread's own: GL of the one that draws is left alone.
-void PackMaker::work() {
-  std::optional<gl::HeadlessContext> context;
-  std::unique_lock lock(mutex_);
-  for (;;) {
-    changed_.wait(lock, [this] { return stop_ || !todo_.empty(); });
-    if (stop_) return;
-    const std::uint32_t plant = todo_.front();
-    todo_.erase(todo_.begin());
-    busy_ = true;
-    lock.unlock();
-    std::optional<foliage::LdmPack> pack;
+Packs::Make pack_maker(std::span<const foliage::PreparedPlant> plants) {
+  return [plants](std::uint32_t plant) -> std::optional<foliage::LdmPack> {
+    thread_local std::optional<gl::HeadlessContext> context;
     try {
       if (!context) context.emplace();
-      pack = make(plants_[plant]);
+      return make(plants[plant]);
     } catch (const std::exception& error) {
-      tell(plants_[plant].name + ": far trees stay as near ones are: " + error.what());
+      tell(plants[plant].name + ": far trees stay as near ones are: " + error.what());
+      return std::nullopt;
     }
-    lock.lock();
-    busy_ = false;
-    if (pack) done_.push_back({plant, std::move(*pack)});
-    changed_.notify_all();
-  }
+  };
+}
+
+Groves::Make grove_maker(std::span<const foliage::PreparedPlant> plants, const draw::Renderer& renderer) {
+  const auto maker = std::make_shared<foliage::GroveMaker>(plants);
+  return [maker, &renderer](const draw::GroveWanted& wanted) -> std::optional<foliage::Grove> {
+    return maker->make(renderer.trees_of(wanted.block), wanted.level);
+  };
 }
 
 }  // namespace manzana::walkthrough

@@ -1,51 +1,20 @@
 #pragma once
-/// Makes the packs that far trees ask for, when they ask, one after the other beside what is drawn; keeps them on disk.
-///   PackMaker maker(plants);
-///   maker.want(renderer.packs_wanted());                              // each frame
-///   while (auto made = maker.take()) renderer.add_pack(made->plant, std::move(made->pack));
-#include <condition_variable>
-#include <mutex>
-#include <optional>
-#include <set>
-#include <span>
-#include <thread>
-#include <vector>
-
+/// Makes what far trees ask for, when they ask, beside what is drawn: packs of species, kept on disk; groves of blocks.
+///   Packs packs(pack_maker(plants));
+///   packs.want(renderer.packs_wanted());                              // each frame
+///   while (auto made = packs.take()) renderer.add_pack(made->key, std::move(made->value));
+#include "apps/walkthrough/background.h"
+#include "foliage/grove.h"
 #include "foliage/ldm_pack.h"
-#include "foliage/prepared_plant.h"
+#include "scenegraph/draw/renderer.h"
 
 namespace manzana::walkthrough {
 
-class PackMaker {
- public:
-  struct Made {
-    std::uint32_t plant;
-    foliage::LdmPack pack;
-  };
+using Packs = Background<std::uint32_t, foliage::LdmPack>;
+using Groves = Background<draw::GroveWanted, foliage::Grove>;
 
-  /// The plants must outlive it.
-  explicit PackMaker(std::span<const foliage::PreparedPlant> plants);
-  ~PackMaker();  ///< waits for the pack at hand
-  PackMaker(const PackMaker&) = delete;
-  PackMaker& operator=(const PackMaker&) = delete;
-
-  /// Each plant is made once, whoever asks how often.
-  void want(std::span<const std::uint32_t> plants);
-  std::optional<Made> take();           ///< of those that are done
-  std::optional<Made> wait_and_take();  ///< none: all that are wanted have been taken, or cannot be made
-
- private:
-  void work();
-  std::optional<Made> take_locked();
-
-  std::span<const foliage::PreparedPlant> plants_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::set<std::uint32_t> known_;
-  std::vector<std::uint32_t> todo_;
-  std::vector<Made> done_;
-  bool busy_ = false, stop_ = false;
-  std::thread thread_;  // the last: it uses the others
-};
+/// The plants, and the renderer, must outlive what is made with it.
+Packs::Make pack_maker(std::span<const foliage::PreparedPlant> plants);
+Groves::Make grove_maker(std::span<const foliage::PreparedPlant> plants, const draw::Renderer& renderer);
 
 }  // namespace manzana::walkthrough

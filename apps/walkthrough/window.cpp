@@ -273,7 +273,7 @@ void run_window(const Options& options, const Imported& city, std::span<const fo
   Session session{handle.window, options, path,
                   Stage(city.scene, plants, quality, framebuffer_size(handle.window), gpu_bytes(options))};
   apply(options, session.stage);
-  if (options.packs) session.stage.packs.emplace(plants);
+  if (options.packs) make_far_trees(session.stage, plants);
   stand_at(session.camera, city.scene.frame, pose_at(path, path.begin()));
   set_callbacks(session);
   handle.start_backends();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "foliage/gl/stream_lists.h"
 #include "gl/program.h"
 #include "gl/vertex_array.h"
 #include "manzana_foliage_gl_shaders.h"
@@ -24,19 +25,6 @@ gl::Program make_program(const char* name, const HostShaders& host, const gl::Pi
   return gl::make_program(name, vertex, pixels);
 }
 
-template <class T>
-void bind(gl::StreamBuffer& stream, GLuint binding, const std::vector<T>& list) {
-  const auto room = stream.take<T>(std::max<std::size_t>(list.size(), 1));
-  std::copy(list.begin(), list.end(), room.items);
-  glBindBufferRange(GL_SHADER_STORAGE_BUFFER, binding, stream.name(), room.offset,
-                    static_cast<GLsizeiptr>(std::max<std::size_t>(list.size(), 1) * sizeof(T)));
-}
-
-template <class T>
-std::size_t room_for(const std::vector<T>& list) {
-  return gl::StreamBuffer::padded(std::max<std::size_t>(list.size(), 1) * sizeof(T));
-}
-
 }  // namespace
 
 LdmDrawer::LdmDrawer(std::span<const LdmPack> packs, const HostShaders& dithered, const HostShaders& blended)
@@ -57,9 +45,9 @@ void LdmDrawer::begin(const gl::Program& program, const LdmSelection& chosen) {
   glBindTextureUnit(0, store_.colours.name());
   glBindTextureUnit(1, store_.surfaces.name());
   stream_.begin(room_for(chosen.trees) + room_for(chosen.items) + room_for(chosen.groups));
-  bind(stream_, kTrees, chosen.trees);
-  bind(stream_, kItems, chosen.items);
-  bind(stream_, kGroups, chosen.groups);
+  bind_list(stream_, kTrees, chosen.trees);
+  bind_list(stream_, kItems, chosen.items);
+  bind_list(stream_, kGroups, chosen.groups);
   for (const auto& [binding, buffer] :
        {std::pair{kSides, &store_.sides}, {kBlocks, &store_.blocks}, {kMosaics, &store_.mosaics}})
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer->name());

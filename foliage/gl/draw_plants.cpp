@@ -11,7 +11,7 @@ gl::Program make_program(std::string_view name, const HostShaders& host, const g
   using namespace shaders;
   gl::Pieces vertex{version_glsl, select_layout_glsl, extract_glsl, hash_glsl};
   vertex.insert(vertex.end(), host.vertex.begin(), host.vertex.end());
-  vertex.insert(vertex.end(), {packed_normal_glsl, plant_glsl});
+  vertex.insert(vertex.end(), {packed_normal_glsl, flat_picture_glsl, plant_glsl});
   vertex.insert(vertex.end(), main.begin(), main.end());
   gl::Pieces pixels{version_glsl, hash_glsl, tree_share_glsl, cover_glsl, plant_share_glsl};
   pixels.insert(pixels.end(), fragment.begin(), fragment.end());

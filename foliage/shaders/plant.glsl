@@ -10,19 +10,9 @@ layout(std430, binding = 8) readonly buffer TotalsBuffer { Totals totals; };
 
 layout(std430, binding = 3) readonly buffer PlantHeads { PlantHead heads[]; };
 
-layout(location = 0) uniform float focal_px;
 layout(location = 2) uniform vec4 wind;  // where it blows to, level, times its strength; w: time, seconds
 
 const vec4 kNowhere = vec4(2.0, 2.0, 2.0, 1.0);  // outside of every picture, for what is not drawn
-
-// Metres along the view; what is behind the eye is clipped, whatever it is given here.
-float depth_of(vec3 rel, vec4 clip) { return max(clip.w, 0.01 * length(rel)); }
-
-// What a square metre that faces the eye has of a flat picture: towards the border more, by 1 / cos^3 of the angle.
-float facing_pixels(vec3 rel, float depth) {
-  float f = focal_px / depth;
-  return f * f * length(rel) / depth;
-}
 
 vec3 place(TreeRecord tree, vec3 p) {
   vec4 q = vec4(p, 1.0);

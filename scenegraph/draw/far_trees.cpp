@@ -51,26 +51,76 @@ void add_pack(FarTrees& far, std::uint32_t plant, foliage::LdmPack pack) {
   far.drawer->show(far.packs);
 }
 
+namespace {
+
+/// Of a frame: tree after tree, block after block.
+class Splitter {
+ public:
+  Splitter(FarTrees& far, const TreesToSplit& trees, std::uint32_t* words)
+      : far_(far), trees_(trees), seen_(trees.seen), words_(words) {}
+
+  /// Sites of one block.
+  void add(const foliage::Run& sites) {
+    const std::uint32_t block = seen_.sites[sites.first].block, grove = share_of_grove(block);
+    if (grove < kAll)
+      for (std::uint32_t i = sites.first; i < sites.last; ++i) add(i, kAll - grove);
+    else if (throws_shadows(block))
+      for (std::uint32_t i = sites.first; i < sites.last; ++i) words_[n_++] = kAll << kShift | i;
+  }
+  std::uint32_t words() const { return n_; }
+
+ private:
+  /// `most`: 255ths that the grove leaves.
+  void add(std::uint32_t i, std::uint32_t most) {
+    const foliage::TreeSite& site = seen_.sites[i];
+    std::uint32_t share = trees_.mosaics ? share_of(height2_in_errors(trees_.table, seen_, site)) : 0;
+    if (share > 0 && !has_pack(far_, site.plant)) share = 0;
+    if (share < kAll) add_row(far_.near, i);
+    if (share > 0) far_.trees.push_back({i, static_cast<float>(std::min(share, most)) / 255});
+    words_[n_++] = share << kShift | i;
+  }
+
+  std::uint32_t share_of_grove(std::uint32_t block) {
+    if (trees_.groves == nullptr || !trees_.mosaics) return 0;
+    const auto mosaics = [&] {
+      const foliage::Run& all = trees_.groves->blocks[block].sites;
+      bool have = true;
+      for (std::uint32_t i = all.first; i < all.last; ++i) have = has_pack(far_, seen_.sites[i].plant) && have;
+      return have;
+    };
+    return grove_share(*trees_.groves, block, {trees_.table, seen_}, mosaics);
+  }
+
+  bool throws_shadows(std::uint32_t block) const {
+    const auto radius = static_cast<double>(trees_.groves->blocks[block].crown_radius_m);
+    return radius > trees_.shadow_at_1m * static_cast<double>(distance_to(*trees_.groves, block, seen_.block_rows));
+  }
+
+  FarTrees& far_;
+  const TreesToSplit& trees_;
+  const foliage::TreesSeen& seen_;
+  std::uint32_t* words_;
+  std::uint32_t n_ = 0;
+};
+
+}  // namespace
+
 std::uint32_t split_trees(FarTrees& far, const TreesToSplit& trees, std::uint32_t* words) {
   far.near.clear();
   far.trees.clear();
   far.wanted.clear();
   const foliage::TreesSeen& seen = trees.seen;
-  std::uint32_t n = 0;
+  Splitter splitter(far, trees, words);
   for (const foliage::Run& run : seen.runs)
-    for (std::uint32_t i = run.first; i < run.last; ++i) {
-      const foliage::TreeSite& site = seen.sites[i];
-      std::uint32_t share = trees.mosaics ? share_of(height2_in_errors(trees.table, seen, site)) : 0;
-      if (share > 0 && !has_pack(far, site.plant)) share = 0;
-      if (share < kAll) add_row(far.near, i);
-      if (share > 0) far.trees.push_back({i, static_cast<float>(share) / 255});
-      words[n++] = share << kShift | i;
+    for (std::uint32_t first = run.first, last = first; first < run.last; first = last) {
+      while (last < run.last && seen.sites[last].block == seen.sites[first].block) ++last;
+      splitter.add({first, last});
     }
   // Where a pixel of the pack's may be as large as what may be wrong.
   if (!far.trees.empty())
     choose_ldm(far.drawer->store().table, {seen.sites, seen.block_rows, {}, 1 / seen.error_at_1m}, far.trees,
                far.pack_of, far.chosen);
-  return n;
+  return splitter.words();
 }
 
 std::uint64_t draw_far_trees(FarTrees& far, int samples) {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "foliage/gl/draw_ldm.h"
+#include "scenegraph/draw/groves.h"
 
 namespace manzana::draw {
 
@@ -37,9 +38,12 @@ void add_pack(FarTrees& far, std::uint32_t plant, foliage::LdmPack pack);
 struct TreesToSplit {
   const foliage::PlantTable& table;
   const foliage::TreesSeen& seen;
-  bool mosaics = true;  ///< else all are near
+  bool mosaics = true;       ///< else all are near
+  Groves* groves = nullptr;  ///< that some blocks may be shown as; begin_frame() has been called
+  double shadow_at_1m = 0;   ///< crowns that are smaller, a metre away, throw no shadow that could be seen
 };
-/// Writes rows of visible sites as foliage/gl/extract.h wants them; returns how many.
+/// Writes rows of visible sites as foliage/gl/extract.h wants them, but for those that groves alone show and whose
+/// shadows are not seen; returns how many.
 std::uint32_t split_trees(FarTrees& far, const TreesToSplit& trees, std::uint32_t* words);
 
 /// As split_trees() left them. Returns mosaics.

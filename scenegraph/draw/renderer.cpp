@@ -168,6 +168,7 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
   if (layers.trees) {
     counts.trees = count(scene.trees.table, sets.objects());
     add(counts, draw_trees(trees, {static_cast<float>(focal_px(camera, target().height)), target().samples, wind}));
+    counts.points = trees.grove_points;
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, stream.name());
   }
   bind_photo();
@@ -188,6 +189,7 @@ Renderer::Renderer(const Scene& scene, std::span<const foliage::PreparedPlant> p
                    std::size_t gpu_bytes)
     : state_(std::make_unique<State>(scene, plants, quality, gpu_bytes)) {
   state_->tree_bytes = device_bytes_of(state_->trees);
+  if (gpu_bytes > 0) state_->trees.groves.most_bytes = std::min(Groves::kMostBytes, gpu_bytes / 8);
   resize({1, 1});
 }
 
@@ -209,6 +211,7 @@ DeviceMemory Renderer::memory() const {
                       .meshes_missing = s.meshes.missing_bytes(),
                       .plants = s.tree_bytes.plants,
                       .lists = s.tree_bytes.lists,
+                      .groves = s.trees.groves.drawer->bytes(),
                       .nodes = s.nodes.device_bytes(),
                       .stream = s.stream.bytes()};
   for (const auto& photo : s.photos)
@@ -259,8 +262,15 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
   s.upload_photo(scene.photo, camera.eye);
   if (options.layers.trees) {
     const foliage::Law law = options.tree_law.value_or(s.quality.tree_law);
-    const TreeDetail detail{law, error_px / f_px, options.tree_vertices, options.mosaics && law == foliage::Law::ours,
-                            options.trees_by_node};
+    constexpr double kSmallestShadow = 0.0035;  // of half the picture's height: shadow_tree.vert
+    const bool mosaics = options.mosaics && law == foliage::Law::ours;
+    const TreeDetail detail{.law = law,
+                            .error_at_1m = error_px / f_px,
+                            .vertices = options.tree_vertices,
+                            .mosaics = mosaics,
+                            .groves = mosaics && options.groves && (sets.classes & kTrees) == kTrees,
+                            .shadow_at_1m = kSmallestShadow * glm::length(camera.ray_up),
+                            .by_node = options.trees_by_node};
     extract_trees(s.trees, scene.trees, sets.objects(), s.rows, detail, s.stream);
     counts.tree_error_px = s.trees.law == foliage::Law::full ? 0 : s.trees.error_at_1m * f_px;
     counts.tree_law = s.trees.law;
@@ -276,6 +286,17 @@ std::span<const std::uint32_t> Renderer::packs_wanted() const { return state_->t
 
 void Renderer::add_pack(std::uint32_t plant, foliage::LdmPack pack) {
   draw::add_pack(state_->trees.far, plant, std::move(pack));
+}
+
+std::span<const GroveWanted> Renderer::groves_wanted() const { return state_->trees.groves.wanted; }
+
+std::span<const foliage::TreeSite> Renderer::trees_of(std::uint32_t block) const {
+  const foliage::Run& run = state_->trees.groves.blocks[block].sites;
+  return std::span(state_->trees.sites).subspan(run.first, run.size());
+}
+
+bool Renderer::add_grove(const GroveWanted& wanted, const foliage::Grove& grove) {
+  return draw::add_grove(state_->trees.groves, wanted, grove);
 }
 
 foliage::Shown Renderer::trees_shown() const { return newest_shown(state_->trees); }

@@ -15,6 +15,7 @@
 
 #include "culling/frustum.h"
 #include "foliage/detail.h"
+#include "foliage/grove.h"
 #include "foliage/ldm_pack.h"
 #include "scenegraph/draw/camera.h"
 #include "scenegraph/scene.h"
@@ -47,6 +48,7 @@ struct DrawOptions {
   std::optional<foliage::Law> tree_law = {};  ///< none: the quality's
   bool trees_by_node = false;    ///< each visible node dispatches its own extraction: same picture, for comparison
   bool mosaics = true;           ///< far trees as mosaics, of those plants that have a pack: packs_wanted()
+  bool groves = true;            ///< blocks of very small trees as one, where there is a grove: groves_wanted()
   double wind = 0;               ///< strength, 0 to 1
   double seconds = 0;            ///< of the wind
   double fog_distance_m = 4000;  ///< where half of the light is the air's
@@ -59,6 +61,7 @@ struct DrawOptions {
 
 struct FrameCounts {
   std::uint64_t triangles = 0;  ///< submitted; of trees mosaics alone: the GPU chooses the others
+  std::uint64_t points = 0;     ///< of groves
   std::uint64_t buildings = 0, surfaces = 0, trees = 0, cars = 0, nodes = 0;
   std::uint64_t commands = 0;            ///< of multi-draws
   std::uint64_t bytes_to_bring = 0;      ///< of meshes in sight and the ground's photo that wait for a later frame
@@ -93,12 +96,19 @@ struct DeviceMemory {
   std::size_t meshes_all = 0;         ///< of the whole city, were it held
   std::size_t meshes_missing = 0;     ///< in sight now, and without room
   std::size_t plants = 0, lists = 0;  ///< of trees
+  std::size_t groves = 0;
   std::size_t photo = 0;              ///< of the ground
   std::size_t nodes = 0, stream = 0, pictures = 0;
-  std::size_t sum() const { return meshes + plants + lists + photo + nodes + stream + pictures; }
+  std::size_t sum() const { return meshes + plants + lists + groves + photo + nodes + stream + pictures; }
 };
 
 inline constexpr std::uint32_t kOwnColour = ~0U;
+
+/// A block whose trees could be one, and the level of it (foliage/grove.h).
+struct GroveWanted {
+  std::uint32_t block, level;
+  auto operator<=>(const GroveWanted&) const = default;
+};
 
 class Renderer {
  public:
@@ -127,6 +137,11 @@ class Renderer {
   /// (far_trees.h), anywhere and any time; until then their trees are drawn as near ones are.
   std::span<const std::uint32_t> packs_wanted() const;
   void add_pack(std::uint32_t plant, foliage::LdmPack pack);
+  /// Blocks whose trees were so small in the last picture that they could be one: foliage/grove.h makes groves of
+  /// trees_of(block), anywhere and any time. add_grove() is an upload; groves out of sight make room.
+  std::span<const GroveWanted> groves_wanted() const;
+  std::span<const foliage::TreeSite> trees_of(std::uint32_t block) const;  ///< stays where it is
+  bool add_grove(const GroveWanted& wanted, const foliage::Grove& grove);  ///< false: no room
   /// What was drawn of trees, by the newest frame that the GPU has finished: the last one after glFinish.
   foliage::Shown trees_shown() const;
   void present(unsigned framebuffer);  ///< copies the picture there, same size, at (0, 0)

@@ -67,7 +67,11 @@ foliage::TreesInView write_rows(TreeLayerGpu& layer, std::span<const Vec4> rows,
                                 gl::StreamBuffer& stream) {
   const auto out = stream.take<GLuint>(layer.sites.size());
   const foliage::TreesSeen seen{layer.sites, rows, layer.runs, detail.error_at_1m};
-  const std::uint32_t trees = split_trees(layer.far, {layer.store.table, seen, detail.mosaics}, out.items);
+  begin_frame(layer.groves);
+  Groves* groves = detail.groves ? &layer.groves : nullptr;
+  const std::uint32_t trees =
+      split_trees(layer.far, {layer.store.table, seen, detail.mosaics, groves, detail.shadow_at_1m}, out.items);
+  end_frame(layer.groves);
   return {.buffer = stream.name(), .offset = out.offset, .trees = trees};
 }
 
@@ -106,7 +110,8 @@ TreeLayerGpu::TreeLayerGpu(const Scene& scene, std::span<const foliage::Prepared
       extractor(sites, limits),
       programs(plant_shaders()),
       shadows(make_shadow("shadow_tree", shaders::shadow_tree_vert)),
-      far(plants.size(), plant_shaders()) {
+      far(plants.size(), plant_shaders()),
+      groves(prepared, sites, scene.blocks.size(), plant_shaders()) {
   if (sites.size() > 1U << foliage::glsl::kShareShift) throw std::runtime_error("more trees than can be drawn");
   asked = ours = make_tables(*this, foliage::Law::ours);
   runs.reserve(sites.size());
@@ -147,9 +152,13 @@ void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const 
 }
 
 Drawn draw_trees(TreeLayerGpu& layer, const foliage::DrawPlantsOptions& options) {
-  if (layer.trees_in_view == 0) return {};
-  draw_plants(layer.programs, layer.store, layer.extractor, options);
-  return {2 * draw_far_trees(layer.far, options.samples), 3};
+  Drawn drawn;
+  if (layer.trees_in_view > 0) {
+    draw_plants(layer.programs, layer.store, layer.extractor, options);
+    drawn = {2 * draw_far_trees(layer.far, options.samples), 3};
+  }
+  layer.grove_points = draw_groves(layer.groves, options.focal_px, options.samples);
+  return drawn;
 }
 
 Drawn draw_tree_shadows(const TreeLayerGpu& layer) {

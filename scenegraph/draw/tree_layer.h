@@ -27,6 +27,7 @@ struct TreeLayerGpu {
   foliage::PlantPrograms programs;
   gl::Program shadows;
   FarTrees far;
+  Groves groves;
   struct Tables {
     foliage::Law law = foliage::Law::ours;
     std::vector<foliage::Detail> details;
@@ -36,7 +37,8 @@ struct TreeLayerGpu {
   foliage::Law law;                 ///< of the last extraction: of the store's table
   std::vector<foliage::Run> runs;   ///< of the frame at hand
   double error_at_1m = 0;           ///< of the last extraction, after the budget
-  std::uint32_t trees_in_view = 0;  ///< of the last extraction
+  std::uint32_t trees_in_view = 0;  ///< of the last extraction, but for those that groves alone show
+  std::uint64_t grove_points = 0;   ///< drawn last
 };
 
 struct TreeDetail {
@@ -44,6 +46,8 @@ struct TreeDetail {
   double error_at_1m = 0.001;  ///< error in pixels / focal length in pixels
   double vertices = 0;         ///< a budget that may raise it; 0: none
   bool mosaics = false;        ///< trees that are small are shown by their species' packs, where there are some
+  bool groves = false;         ///< blocks whose trees are smaller still are shown as groves, where there are some
+  double shadow_at_1m = 0;     ///< TreesToSplit has it
   bool by_node = false;        ///< each visible node's trees in dispatches of their own; else all at once
 };
 
@@ -56,6 +60,7 @@ TreeBytes device_bytes_of(const TreeLayerGpu& layer);
 /// Once a frame, with the blocks' rows, relative to the eye, bound. `objects`: runs of the tree's.
 void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const culling::ObjectRun> objects,
                    std::span<const Rows> blocks, const TreeDetail& detail, gl::StreamBuffer& stream);
+/// Groves' points are not among the triangles.
 Drawn draw_trees(TreeLayerGpu& layer, const foliage::DrawPlantsOptions& options);
 /// Soft dark ground under the trees, over the surfaces.
 Drawn draw_tree_shadows(const TreeLayerGpu& layer);

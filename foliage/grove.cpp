@@ -1,0 +1,177 @@
+#include "foliage/grove.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "foliage/random.h"
+
+namespace manzana::foliage {
+namespace {
+
+constexpr std::uint32_t kMostPoints = 1U << (kGroveFits - 1);  // of a tree
+constexpr double kFade = 0.3;  // of the points that are meant; half of it is beyond them
+constexpr double kBeyond = 1 + kFade / 2;
+
+/// Of a plant, of natural size.
+std::uint32_t points_of(const PreparedPlant& plant, const TreeSite& site) {
+  if (plant.point_levels.empty()) return 0;
+  const double h = static_cast<double>(plant.height_m * site.height),
+               cover = static_cast<double>(plant.cover_m2 * site.radius * site.height);
+  const double wanted = kBeyond * kGrovePoints * cover * kNoGrove * kNoGrove / (h * h);
+  const auto most = static_cast<double>(std::min(kMostPoints, plant.point_levels[0].points.size()));
+  return static_cast<std::uint32_t>(std::clamp(std::ceil(wanted), 1.0, most));
+}
+
+Vec3 normal_of(std::uint32_t bits) {
+  const auto part = [&](int shift) { return static_cast<float>(static_cast<int>(bits << shift) >> 22) / 511; };
+  return {part(22), part(12), part(2)};
+}
+
+Vec3 turned(const TreeSite& site, const Vec3& v) {
+  return {v.x * site.turn.x - v.y * site.turn.y, v.x * site.turn.y + v.y * site.turn.x, v.z};
+}
+
+LeafPoint placed(const LeafPoint& point, const TreeSite& site, float scale) {
+  const Vec3 size(site.radius, site.radius, site.height);
+  LeafPoint out = point;
+  out.position = site.position + turned(site, point.position * size);
+  out.area *= scale * site.radius * site.height;
+  out.normal = pack_normal(glm::normalize(turned(site, normal_of(point.normal) / size)));
+  out.unused = site.hash;
+  return out;
+}
+
+/// How much of a point of that rank is shown.
+double weight(double meant, std::size_t rank) {
+  return std::clamp((kBeyond * meant - static_cast<double>(rank)) / std::max(kFade * meant, 1.0), 0.0, 1.0);
+}
+
+struct Ranked {
+  double key;
+  LeafPoint point;
+};
+
+/// All keys of a tree are spread over [0, 1), those of different trees out of step.
+void add_tree(const PreparedPlant& plant, const GroveFit& fit, const TreeSite& site, std::vector<Ranked>& all) {
+  const std::vector<std::uint32_t> rows = chosen_points(fit, points_of(plant, site), site.hash >> 8);
+  double sum = 0;
+  for (const std::uint32_t row : rows) sum += static_cast<double>(plant.points[row].area);
+  const auto n = static_cast<double>(rows.size());
+  const auto scale = static_cast<float>(sum > 0 ? fitted(fit.area, 0, n) / sum : 0);
+  const double step = static_cast<double>(hash(site.hash) >> 40) * 0x1p-24;
+  for (std::size_t j = 0; j < rows.size(); ++j)
+    all.push_back({(static_cast<double>(j) + step) / n, placed(plant.points[rows[j]], site, scale)});
+}
+
+double shown_area(std::span<const LeafPoint> points, double meant) {
+  double sum = 0;
+  for (std::size_t r = 0; r < points.size() && static_cast<double>(r) < kBeyond * meant; ++r)
+    sum += weight(meant, r) * static_cast<double>(points[r].area);
+  return sum;
+}
+
+/// Between what is known of the views.
+template <class OfView>  // float(std::size_t view)
+float at_view(double up, OfView&& of_view) {
+  const double at = std::clamp(std::abs(up), 0.0, 1.0) * (kGroveViews - 1);
+  const auto i = std::min(static_cast<std::size_t>(at), kGroveViews - 2);
+  return std::lerp(of_view(i), of_view(i + 1), static_cast<float>(at - static_cast<double>(i)));
+}
+
+double cover_at(const GroveRule& rule, const GroveSight& sight) {
+  return static_cast<double>(rule.cover_m2 * at_view(sight.up, [&](std::size_t view) { return rule.cover[view]; }));
+}
+
+/// What others hide in part is drawn with fewer points, but not as few as their size would allow: large ones would make
+/// the wood wider and higher.
+double meant_at(const GroveRule& rule, const GroveSight& sight) {
+  return kGrovePoints * cover_at(rule, sight) / (sight.error_m * sight.error_m * sight.times);
+}
+
+/// Squares reach beyond the outline of a wood that they are spread over, by half their side, and hide less of each
+/// other there: by how much less they should cover.
+double within_outline(const GroveSight& sight, double cover_m2, double square_m2) {
+  const Vec2d& a = sight.outline_m;
+  const double side = std::sqrt(square_m2), area = a.x * a.y, larger = (a.x + side) * (a.y + side);
+  if (!(area > 0 && cover_m2 > 0)) return 1;
+  const double covered = area * -std::expm1(-cover_m2 / area);
+  return -larger * std::log1p(-covered / larger) / cover_m2;
+}
+
+}  // namespace
+
+GroveRule grove_rule(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites) {
+  GroveRule rule;
+  for (const TreeSite& site : sites) {
+    rule.points += points_of(plants[site.plant], site);
+    rule.cover_m2 += plants[site.plant].cover_m2 * site.radius * site.height;
+  }
+  return rule;
+}
+
+const GroveFit& GroveMaker::fit_of(std::uint32_t plant) {
+  if (!fits_[plant]) fits_[plant] = fit_grove(plants_[plant], kMostPoints);
+  return *fits_[plant];
+}
+
+/// What all trees' points should sum up to when so large a share of them is meant; what they cover, and that by what
+/// they should be lighter.
+GroveMaker::Sum GroveMaker::sum_of(std::span<const TreeSite> sites, std::size_t view, double share) {
+  Sum sum;
+  for (const TreeSite& site : sites) {
+    const std::uint32_t n = points_of(plants_[site.plant], site);
+    if (n == 0) continue;
+    const GroveFit& fit = fit_of(site.plant);
+    const double scale = outline_scale(plants_[site.plant], site, view),
+                 cover = scale * static_cast<double>(fit.cover_m2[view]);
+    sum.area += scale * fitted(fit.area, view, share * n);
+    sum.light += cover * fitted(fit.light, view, share * n);
+    sum.cover += cover;
+  }
+  return sum;
+}
+
+Grove GroveMaker::make(std::span<const TreeSite> sites, std::uint32_t level) {
+  Grove grove{{}, grove_rule(plants_, sites)};
+  GroveRule& rule = grove.rule;
+  std::vector<Ranked> all;
+  for (const TreeSite& site : sites) add_tree(plants_[site.plant], fit_of(site.plant), site, all);
+  std::stable_sort(all.begin(), all.end(), [](const Ranked& a, const Ranked& b) { return a.key < b.key; });
+  for (const Ranked& ranked : all) grove.points.push_back(ranked.point);
+  const auto n = static_cast<double>(all.size());
+  for (std::size_t i = 0; i < rule.worth[0].size(); ++i) {
+    const double meant = std::max(1.0, std::exp2(-static_cast<double>(i)) * n / kBeyond),
+                 shown = shown_area(grove.points, meant);
+    for (std::size_t view = 0; view < kGroveViews && shown > 0; ++view) {
+      const Sum sum = sum_of(sites, view, meant / n);
+      rule.worth[view][i] = static_cast<float>(sum.area / shown * meant / n);
+      rule.light[view][i] = static_cast<float>(sum.light / sum.cover);
+      rule.cover[view] = static_cast<float>(sum.cover) / rule.cover_m2;
+    }
+  }
+  grove.points.resize(points_at(rule.points, level));
+  return grove;
+}
+
+GroveShown shown_of(const GroveRule& rule, const GroveSight& sight, std::uint32_t there) {
+  if (there == 0) return {};
+  const double all = rule.points, most = there / kBeyond,
+               meant = std::clamp(meant_at(rule, sight), std::min(1.0, most), most),
+               at = std::clamp(std::log2(all / kBeyond / meant), 0.0, static_cast<double>(rule.worth[0].size() - 1));
+  const auto i = static_cast<std::size_t>(at), next = std::min(i + 1, rule.worth[0].size() - 1);
+  const auto from = [&](const GroveRule::Table& table) {
+    const auto t = static_cast<float>(at - static_cast<double>(i));
+    return at_view(sight.up, [&](std::size_t view) { return std::lerp(table[view][i], table[view][next], t); });
+  };
+  const double cover = cover_at(rule, sight), within = within_outline(sight, cover, cover / meant);
+  return {std::min(there, static_cast<std::uint32_t>(std::ceil(kBeyond * meant))), static_cast<float>(kBeyond * meant),
+          static_cast<float>(std::max(kFade * meant, 1.0)), from(rule.worth) * static_cast<float>(within * all / meant),
+          from(rule.light)};
+}
+
+std::uint32_t level_of(const GroveRule& rule, const GroveSight& sight) {
+  const double needed = std::max(1.0, kBeyond * meant_at(rule, sight));
+  return static_cast<std::uint32_t>(std::clamp(std::floor(std::log2(rule.points / needed)), 0.0, 20.0));
+}
+
+}  // namespace manzana::foliage

@@ -1,0 +1,47 @@
+// A square of pixels that stands for leaves, or wood, of a tree of a grove: as plant_points.vert, without wind, which
+// would move it by less than a pixel. It asks of the host what plant.glsl does.
+struct LeafPoint {
+  vec4 position_area;
+  uvec4 rest;  // normal, sRGB colour and contrast, shade as floatBitsToUint, the tree's hash
+};
+layout(std430, binding = 1) restrict readonly buffer BlockRows { vec4 block_rows[]; };
+layout(std430, binding = 15) readonly buffer GroveItems { GroveItem items[]; };
+layout(std430, binding = 16) readonly buffer GroveGroups { uvec2 groups[]; };
+layout(std430, binding = 17) readonly buffer Points { LeafPoint points[]; };
+
+layout(location = 0) out vec3 out_colour;
+layout(location = 1) flat out float out_alpha;
+layout(location = 2) flat out uint out_hash;
+layout(location = 7) flat out uvec2 out_share;
+
+void main() {
+  uint slot = uint(gl_VertexID);
+  uvec2 group = groups[slot / kGroveGroup];
+  GroveItem item = items[group.x];
+  uint rank = group.y + slot % kGroveGroup;
+  out_colour = vec3(0.0);
+  out_alpha = 0.0;
+  out_hash = 0u;
+  out_share = uvec2(0u);
+  gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside of every picture
+  gl_PointSize = 1.0;
+  if (rank >= item.count) return;
+  LeafPoint point = points[item.first + rank];
+  vec4 x = block_rows[3u * item.block], y = block_rows[3u * item.block + 1u], z = block_rows[3u * item.block + 2u];
+  vec4 p = vec4(point.position_area.xyz, 1.0);
+  vec3 rel = vec3(dot(x, p), dot(y, p), dot(z, p)), n = unpack_normal(point.rest.x);
+  gl_Position = clip_position(rel);
+  float pixels = point.position_area.w * item.scale * facing_pixels(rel, depth_of(rel, gl_Position));
+  pixels *= clamp((item.edge - float(rank)) / item.fade, 0.0, 1.0);
+  out_alpha = min(pixels, 1.0);  // less than a pixel is drawn as a part of one
+  out_hash = mixed(point.rest.w + rank);
+  out_share = uvec2(point.rest.w, item.share);
+  vec3 light, air;
+  float tint = float(point.rest.w & 255u) * (1.0 / 255.0);
+  plant_light(rel, normalize(vec3(dot(x.xyz, n), dot(y.xyz, n), dot(z.xyz, n))), uintBitsToFloat(point.rest.z), 1.0, tint,
+              light, air);
+  vec3 srgb = vec3(point.rest.y & 255u, (point.rest.y >> 8u) & 255u, (point.rest.y >> 16u) & 255u) * (1.0 / 255.0);
+  vec3 mean = plant_albedo(srgb) * light * item.light, off = mean * (float(point.rest.y >> 24u) * (1.0 / 255.0));
+  out_colour = 0.5 * (plant_film(mean + off + air) + plant_film(mean - off + air));
+  gl_PointSize = sqrt(max(pixels, 1.0));
+}

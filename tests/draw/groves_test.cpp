@@ -1,0 +1,174 @@
+// Blocks of trees that turn into one cloud of points as they become very small.
+#include "scenegraph/draw/groves.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+
+#include "foliage/generate.h"
+#include "foliage/gl/ldm_sampler.h"
+#include "foliage/import/species.h"
+#include "foliage/make_ldm.h"
+#include "gl/context.h"
+#include "gl/error_log.h"
+#include "scenegraph/draw/far_trees.h"
+#include "tests/draw/hand_scene.h"
+#include "tests/draw/picture.h"
+
+namespace manzana::draw {
+namespace {
+
+constexpr Size kSize{300, 240};
+constexpr float kHeight = 11;
+constexpr double kFovDeg = 20;
+
+/// A wood of rows by rows trees, two species by turns.
+HandBlock make_wood(int rows, float spacing, const Vec2d& plan = {0, 0}) {
+  HandBlock block;
+  block.plan = plan;
+  for (int i = 0; i < rows * rows; ++i) {
+    TreeInstance tree;
+    const float half = 0.5F * static_cast<float>(rows - 1);
+    tree.position = {spacing * (static_cast<float>(i % rows) - half), spacing * (static_cast<float>(i / rows) - half),
+                     0};
+    tree.height_m = kHeight;
+    tree.crown_radius_m = 3.5F;
+    tree.yaw = static_cast<float>(i);
+    tree.plant = static_cast<std::uint16_t>(i % 2);
+    block.trees.push_back(tree);
+  }
+  return block;
+}
+
+std::vector<foliage::PreparedPlant> two_plants() {
+  std::vector<foliage::PreparedPlant> plants(kPlantSpecies);
+  plants[0] = prepare(grow_plant(foliage::builtin_species("oak"), 3), {.visibility_side = 0});
+  plants[1] = prepare(grow_plant(foliage::builtin_species("conifer"), 3), {.visibility_side = 0});
+  return plants;
+}
+
+/// So far away, in that direction, that trees are about so high in the picture.
+culling::View view_from(const Scene& scene, const Vec3d& towards, double height_px) {
+  const double focal = kSize.height / (2 * std::tan(kFovDeg / 2 * 3.14159265358979 / 180)),
+               distance = static_cast<double>(kHeight) * focal / height_px;
+  const Vec3d forward = -glm::normalize(towards);
+  return look_in(scene.blocks[0], Vec3d(0, 0, kHeight / 2) - forward * distance, forward, kFovDeg,
+                 static_cast<double>(kSize.width) / kSize.height);
+}
+
+struct Seen {
+  double cover = 0, light = 0;  ///< pixels; sum of linear green
+  std::uint64_t points = 0;
+};
+
+struct Way {
+  bool groves = true;
+  foliage::Law law = foliage::Law::ours;
+};
+
+/// Trees alone, before black.
+Seen look(Renderer& renderer, const Scene& scene, const culling::View& view, const Way& way) {
+  DrawOptions options;
+  options.groves = way.groves;
+  options.tree_law = way.law;
+  options.tree_error_px = 1;
+  options.layers = {.buildings = false, .surfaces = false, .trees = true, .cars = false, .sky = false, .fog = false};
+  options.transparent = true;
+  const VisibleSets sets = visible(scene, view, Structure::bqr);
+  renderer.resize(kSize);
+  Seen seen;
+  seen.points = renderer.draw(scene, sets, view, options).points;
+  const std::vector<unsigned char> rgb = renderer.read_pixels();
+  std::vector<unsigned char> alpha(rgb.size() / 3);
+  glReadPixels(0, 0, kSize.width, kSize.height, GL_ALPHA, GL_UNSIGNED_BYTE, alpha.data());
+  for (const unsigned char a : alpha) seen.cover += a / 255.0;
+  for (std::size_t i = 1; i < rgb.size(); i += 3) seen.light += std::pow(rgb[i] / 255.0, 2.2);
+  return seen;
+}
+
+void add_groves(Renderer& renderer, std::span<const foliage::PreparedPlant> plants) {
+  const std::vector<GroveWanted> wanted(renderer.groves_wanted().begin(), renderer.groves_wanted().end());
+  foliage::GroveMaker maker(plants);
+  for (const GroveWanted& one : wanted) renderer.add_grove(one, maker.make(renderer.trees_of(one.block), one.level));
+}
+
+Quality sampled(int samples) {
+  Quality quality;
+  quality.samples = samples;
+  return quality;
+}
+
+}  // namespace
+
+TEST_CASE("groves: cover and shine as the trees do from three directions where they take over") {
+  const gl::HeadlessContext context;
+  gl::ErrorLog log;
+  const auto plants = two_plants();
+  const Scene scene = make_scene({make_wood(9, 8)});
+  Renderer renderer(scene, plants, sampled(4));
+  for (const Vec3d& towards : {Vec3d(0, 0.001, 1), Vec3d(0, -1, 1), Vec3d(1, 0, 0.1)}) {
+    const culling::View view = view_from(scene, towards, 0.9 * foliage::kAllGrove);
+    const Seen trees = look(renderer, scene, view, {false, foliage::Law::full});
+    look(renderer, scene, view, {true});
+    add_groves(renderer, plants);
+    const Seen grove = look(renderer, scene, view, {true});
+    CAPTURE(towards.x, towards.y, towards.z, trees.cover, grove.points);
+    CHECK(renderer.groves_wanted().empty());
+    CHECK(grove.points > 0);
+    CHECK(static_cast<double>(grove.points) < 1.5 * grove.cover);
+    CHECK(grove.cover == Approx(trees.cover).epsilon(0.05));
+    CHECK(grove.light == Approx(trees.light).epsilon(0.2));
+  }
+  CHECK(log.messages().empty());
+}
+
+TEST_CASE("groves: a wood covers as much on the way to its grove as before and after") {
+  const gl::HeadlessContext context;
+  const auto plants = two_plants();
+  const Scene scene = make_scene({make_wood(7, 9)});
+  Renderer renderer(scene, plants, sampled(4));
+  for (std::uint32_t p = 0; p < 2; ++p) {
+    foliage::LdmSamplerGl sampler(plants[p], 2);
+    renderer.add_pack(p, make_ldm_pack(ldm_ball(plants[p]), kFarPack, std::ref(sampler)));
+  }
+  std::uint64_t least = ~0ULL, most = 0;
+  for (const double height : {13.0, 11.0, 10.0, 9.0, 8.0}) {
+    const culling::View view = view_from(scene, {0, -1, 1}, height);
+    look(renderer, scene, view, {true});
+    add_groves(renderer, plants);
+    const Seen with = look(renderer, scene, view, {true}), without = look(renderer, scene, view, {false});
+    CAPTURE(height, with.points);
+    CHECK(with.cover == Approx(without.cover).epsilon(0.06));
+    least = std::min(least, with.points), most = std::max(most, with.points);
+  }
+  CHECK(least == 0);
+  CHECK(most > 0);
+}
+
+TEST_CASE("groves: those out of sight make room and what is in sight stays") {
+  const gl::HeadlessContext context;
+  const auto plants = two_plants();
+  const Scene scene = make_scene({make_wood(36, 5, {-1000, 0}), make_wood(36, 5, {1000, 0})});
+  Renderer renderer(scene, plants, sampled(1), 8 * foliage::GroveDrawer::kPageBytes);  // room for one page
+  const auto view_of = [&](std::size_t block, double back) {
+    const Vec3d forward(0, 0.1, -1);
+    return look_in(scene.blocks[block], -forward * back, forward, kFovDeg, 1.25);
+  };
+  const auto points_at = [&](std::size_t block) {
+    look(renderer, scene, view_of(block, 850), {true});
+    add_groves(renderer, plants);
+    return look(renderer, scene, view_of(block, 850), {true}).points;
+  };
+  const std::uint64_t first = points_at(0), second = points_at(1);
+  CHECK(first > 0);
+  CHECK(second == Approx(first).epsilon(0.01));
+  CHECK(renderer.memory().groves == foliage::GroveDrawer::kPageBytes);
+  look(renderer, scene, view_of(0, 850), {true});
+  REQUIRE(renderer.groves_wanted().size() == 1);  // it had to go
+  CHECK(points_at(0) == first);
+}
+
+}  // namespace manzana::draw

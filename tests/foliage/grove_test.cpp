@@ -1,0 +1,151 @@
+// Trees of a block as one cloud of points: what any first few of them are, against the trees themselves.
+#include "foliage/grove.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+#include <map>
+
+#include "foliage/generate.h"
+#include "foliage/import/species.h"
+#include "foliage/leaf_scale.h"
+#include "foliage/prepare.h"
+#include "foliage/select.h"
+
+namespace manzana::foliage {
+namespace {
+
+const std::vector<PreparedPlant>& plants() {
+  static const std::vector<PreparedPlant> all = [] {
+    std::vector<PreparedPlant> made;
+    for (const char* name : {"oak", "conifer"})
+      made.push_back(prepare(grow_plant(builtin_species(name), 3), {.visibility_side = 0}));
+    return made;
+  }();
+  return all;
+}
+
+/// Far from each other, of their natural proportions.
+std::vector<TreeSite> make_sites(std::uint32_t n, std::uint32_t kinds) {
+  std::vector<TreeSite> sites;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const PreparedPlant& plant = plants()[i % kinds];
+    const float size = 0.5F + 0.01F * static_cast<float>(i % 7);
+    sites.push_back(
+        make_site(plant, i % kinds, size * plant.height_m, size * plant.crown_radius_m, static_cast<float>(i), i));
+    sites.back().position = {1000.0F * static_cast<float>(i), 0, 0};
+  }
+  return sites;
+}
+
+/// Square metres that the points cover as squares that face the eye: each tree for itself.
+double covered(const Grove& grove, const GroveShown& shown, double up) {
+  constexpr double kPixel = 0.05;
+  const double level = std::sqrt(1 - up * up);
+  std::map<std::uint32_t, std::map<std::pair<int, int>, bool>> pictures;
+  for (std::uint32_t r = 0; r < shown.count; ++r) {
+    const LeafPoint& point = grove.points[r];
+    const double weight = std::clamp(static_cast<double>((shown.edge - static_cast<float>(r)) / shown.fade), 0.0, 1.0);
+    const double half = 0.5 * std::sqrt(static_cast<double>(point.area * shown.scale) * weight) / kPixel;
+    const Vec3d p(point.position);
+    const double x = p.x / kPixel, y = (-up * p.y + level * p.z) / kPixel;
+    auto& picture = pictures[point.unused];
+    for (int j = static_cast<int>(std::ceil(y - half)); j < y + half; ++j)
+      for (int i = static_cast<int>(std::ceil(x - half)); i < x + half; ++i) picture[{i, j}] = true;
+  }
+  std::size_t pixels = 0;
+  for (const auto& [tree, picture] : pictures) pixels += picture.size();
+  return static_cast<double>(pixels) * kPixel * kPixel;
+}
+
+}  // namespace
+
+TEST_CASE("grove: every first few of its points have of each tree its share to a point") {
+  const std::vector<TreeSite> sites = make_sites(20, 2);
+  const Grove grove = GroveMaker(plants()).make(sites);
+  std::map<std::uint32_t, int> all, now;
+  for (const LeafPoint& point : grove.points) ++all[point.unused];
+  REQUIRE(all.size() == sites.size());
+  REQUIRE(grove.points.size() == grove.rule.points);
+  for (std::size_t n = 1; n <= grove.points.size(); ++n) {
+    ++now[grove.points[n - 1].unused];
+    for (const auto& [tree, count] : all) {
+      const double share = static_cast<double>(n) * count / static_cast<double>(grove.points.size());
+      REQUIRE(std::abs(now[tree] - share) < 2);
+    }
+  }
+}
+
+TEST_CASE("grove: fewer of its points have the mean place and colour of all") {
+  const std::vector<TreeSite> sites = make_sites(200, 1);
+  const Grove grove = GroveMaker(plants()).make(sites);
+  const auto mean = [&](std::size_t n) {
+    Vec4d sum(0);
+    double area = 0;
+    for (const LeafPoint& point : std::span(grove.points).first(n)) {
+      const auto a = static_cast<double>(point.area);
+      sum += a * Vec4d(point.position.z, point.colour & 255U, point.colour >> 8 & 255U, point.colour >> 16 & 255U);
+      area += a;
+    }
+    return sum / area;
+  };
+  const Vec4d all = mean(grove.points.size());
+  for (const std::size_t part : {2U, 8U, 32U}) {
+    CAPTURE(part);
+    const Vec4d some = mean(grove.points.size() / part);
+    for (int i = 0; i < 4; ++i) CHECK(some[i] == Approx(all[i]).epsilon(0.05));
+  }
+}
+
+TEST_CASE("grove: however few of its points are shown they cover what its trees do from everywhere") {
+  const std::vector<TreeSite> sites = make_sites(60, 1);
+  const Grove grove = GroveMaker(plants()).make(sites);
+  for (const double up : {0.0, 0.5, 1.0}) {
+    const double rise = up < 1 ? up / std::sqrt(1 - up * up) : 1e3;
+    double trees = 0;
+    for (const TreeSite& site : sites)
+      trees += static_cast<double>(covered_m2(plants()[0], rise) * site.radius * site.radius);
+    for (const double error_m : {1.0, 2.0, 4.0}) {
+      const GroveShown shown = shown_of(grove.rule, {error_m, up, 1, {}}, grove.rule.points);
+      CAPTURE(up, error_m, shown.count, grove.rule.points);
+      CHECK(covered(grove, shown, up) == Approx(trees).epsilon(0.05));
+    }
+  }
+}
+
+TEST_CASE("grove: a level is the first part of all and two makers make the same") {
+  const std::vector<TreeSite> sites = make_sites(12, 2);
+  const Grove all = GroveMaker(plants()).make(sites), again = GroveMaker(plants()).make(sites),
+              part = GroveMaker(plants()).make(sites, 2);
+  const auto same = [](const Grove& a, const Grove& b, std::size_t n) {
+    return std::memcmp(a.points.data(), b.points.data(), n * sizeof(LeafPoint)) == 0;
+  };
+  REQUIRE(again.points.size() == all.points.size());
+  CHECK(same(all, again, all.points.size()));
+  CHECK(part.points.size() == points_at(all.rule.points, 2));
+  CHECK(same(all, part, part.points.size()));
+  CHECK(part.rule.points == all.rule.points);
+}
+
+TEST_CASE("grove: from a level are as many points as any view asks for that takes it") {
+  const GroveRule rule = GroveMaker(plants()).make(make_sites(12, 2)).rule;
+  for (double error_m = 0.1; error_m < 1e4; error_m *= 1.3) {
+    const GroveSight sight{error_m, 0.3, 1, {}};
+    const std::uint32_t there = points_at(rule.points, level_of(rule, sight));
+    CAPTURE(error_m, there);
+    CHECK(shown_of(rule, sight, there).count == shown_of(rule, sight, rule.points).count);
+    CHECK(std::isfinite(shown_of(rule, sight, there).scale));
+  }
+}
+
+TEST_CASE("grove: plants without leaves and blocks without trees are no points") {
+  const std::vector<PreparedPlant> bare(1);
+  CHECK(GroveMaker(bare).make({}).points.empty());
+  TreeSite site{};
+  site.radius = site.height = 1;
+  const Grove grove = GroveMaker(bare).make({&site, 1});
+  CHECK(grove.points.empty());
+  CHECK(shown_of(grove.rule, {1, 0, 1, {}}, 0).count == 0);
+}
+
+}  // namespace manzana::foliage
