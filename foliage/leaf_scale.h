@@ -22,7 +22,8 @@ struct LeafScaleFit {
 /// second for 100 000 triangles, on all cores.
 LeafScaleFit fit_leaf_scale(const PreparedPlant& plant, const Progress& progress = {});
 
-/// m2 that the plant hides, mean over eight sides; `rise`: how much higher the eye is than the plant, over how far away.
+/// m2 that the plant hides, mean over eight sides; `rise`: how much higher the eye is than the plant, over how far
+/// away.
 float covered_m2(const PreparedPlant& plant, double rise);
 
 /// For each level of points by which factor its points' areas cover, as squares, what the leaves cover. Half the

@@ -97,7 +97,7 @@ struct DeviceMemory {
   std::size_t meshes_missing = 0;     ///< in sight now, and without room
   std::size_t plants = 0, lists = 0;  ///< of trees
   std::size_t groves = 0;
-  std::size_t photo = 0;              ///< of the ground
+  std::size_t photo = 0;  ///< of the ground
   std::size_t nodes = 0, stream = 0, pictures = 0;
   std::size_t sum() const { return meshes + plants + lists + groves + photo + nodes + stream + pictures; }
 };
