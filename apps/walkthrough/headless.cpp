@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <stdexcept>
 
 #include "apps/common/progress_bar.h"
 #include "apps/common/quantile.h"
 #include "apps/walkthrough/caption.h"
+#include "apps/walkthrough/endurance.h"
 #include "apps/walkthrough/frame.h"
 #include "apps/walkthrough/load.h"
 #include "apps/walkthrough/memory_report.h"
@@ -29,15 +31,33 @@ void write_frame(Stage& stage, const std::filesystem::path& file) {
   write_png(file, picture);
 }
 
-std::vector<FrameRow> draw_path(const Options& options, Stage& stage, const CameraPath& path, PathNeeds& needs) {
+/// Frames that the path takes once: all, or of --hours at most a quarter.
+int frames_a_lap(const Options& options) {
+  constexpr int kMost = 240;
+  return options.hours > 0 ? std::clamp(options.frames / 4, 1, kMost) : options.frames;
+}
+
+double seconds_at(const Options& options, int frame) {
+  return options.hours > 0 ? options.hours * 3600 * (frame + 1.0) / options.frames : frame / kFramesPerSecond;
+}
+
+/// Streams are as large as the fullest frame so far, and that depends on where the cars are.
+std::size_t bytes_that_stay(const draw::DeviceMemory& memory) { return memory.sum() - memory.stream; }
+
+std::vector<FrameRow> draw_path(const Options& options, Stage& stage, const CameraPath& path, PathNeeds& needs,
+                                Endurance& day) {
+  const int lap = frames_a_lap(options);
   const auto view_at = [&](int frame) {
-    return view_of(stage.scene.frame, pose_at(path, path_time(path, frame, options.frames)), stage.aspect());
+    return view_of(stage.scene.frame, pose_at(path, path_time(path, frame % lap, lap)), stage.aspect());
   };
   apps::ProgressBar bar(stderr);
   std::vector<FrameRow> rows;
+  rows.reserve(static_cast<std::size_t>(options.frames));
   draw_frame(stage, view_at(0), 0);
   for (int frame = 0; frame < options.frames; ++frame) {
-    rows.push_back(draw_frame(stage, view_at(frame), frame / kFramesPerSecond));
+    rows.push_back(draw_frame(stage, view_at(frame), seconds_at(options, frame)));
+    if (options.hours > 0)
+      day.see(stage.scene, seconds_at(options, frame), bytes_that_stay(stage.renderer.memory()), frame / lap);
     if (options.report_memory) needs.see(stage.sets);
     if (frame % options.every == 0) write_frame(stage, options.out / frame_name(frame));
     bar.show("drawing", (frame + 1.0) / options.frames);
@@ -73,16 +93,19 @@ void run_headless(const Options& options, const Imported& city, std::span<const 
   const auto quality = options.quality.empty() ? draw::quality_for(renderer) : draw::quality_named(options.quality);
   Stage stage(city.scene, plants, quality, options.size, gpu_bytes(options));
   PathNeeds needs(city.scene);
+  Endurance day;
   apply(options, stage);
   stage.whole = true;
   if (options.packs) make_far_trees(stage, plants);
-  const std::vector<FrameRow> rows = draw_path(options, stage, path, needs);
+  const std::vector<FrameRow> rows = draw_path(options, stage, path, needs, day);
   const RunFacts facts{renderer, quality.name, path.name, largest_memory_mb()};
   files::write_whole(options.out / "frames.csv", to_csv(rows));
   files::write_whole(options.out / "issues.txt", issue_table(city.issues));
   files::write_whole(options.out / "summary.json", summary_json(options, city, rows, facts));
   warn(*stage.options.tree_law, rows);
   print_result(options, rows);
+  if (options.hours > 0) std::printf("%s", to_text(day).c_str());
+  if (const auto what = drift(day)) throw std::runtime_error("not the same over the day: " + *what);
   if (options.report_memory)
     std::printf("%s", to_text(report_memory(city.scene, plants, needs, stage.renderer.memory())).c_str());
 }

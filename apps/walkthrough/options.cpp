@@ -152,6 +152,10 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
       ->capture_default_str();
   app.add_flag("--report-memory", options.report_memory,
                "with --headless: what each part holds, and how much of it the path needed");
+  app.add_option("--hours", options.hours,
+                 "with --headless: the frames are spread over so many hours of traffic, the path is driven again and\n"
+                 "again, and it ends with 1 if cars or memory did not stay the same")
+      ->check(within(0, 10000));
   app.add_option("--seed", options.seed, "of scattered trees, cars and the built-in town")
       ->check([](const std::string& text) { return std::string(text.starts_with('-') ? "is negative: " + text : ""); },
               "")

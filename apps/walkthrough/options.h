@@ -35,6 +35,7 @@ struct Options {
   std::filesystem::path out = "manzana-out";
   double gpu_mb = 0;  ///< of the device, at most; 0: no limit
   bool report_memory = false;
+  double hours = 0;     ///< that the frames are spread over; 0: they follow each other
   std::string quality;  ///< fast, balanced, accurate or exact; empty: by the renderer's name
   std::uint64_t seed = 1;
   int cars = -1;  ///< -1: by the length of the streets

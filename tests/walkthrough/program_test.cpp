@@ -191,6 +191,16 @@ TEST_CASE("program: a baked city with little room for meshes gives the pictures 
     CHECK(read_all(folder.path() / "all" / frame) == read_all(folder.path() / "some" / frame));
 }
 
+TEST_CASE("program: a day of driving leaves counts and memory as they were") {
+  const TemporaryFolder folder;
+  const Ended day = run_walkthrough(
+      folder.path(), {"builtin:town", "--headless", "--hours", "24", "--frames", "60", "--every", "60", "--size",
+                      "160x90", "--path", "pina", "--cars", "300", "--no-packs", "--out", folder.path() / "out"});
+  CAPTURE(day.err, day.out);
+  CHECK(day.code == 0);
+  CHECK(day.out.find(" 24.0      ") != std::string::npos);
+}
+
 TEST_CASE("program: no display and no --headless goes headless and says so") {
   const TemporaryFolder folder;
   auto arguments = small_run(folder.path() / "out", "builtin:town", {"--frames", "1"});
