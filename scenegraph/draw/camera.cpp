@@ -53,7 +53,8 @@ void set_perspective(Camera& camera, const Mat4d& projection, const Mat4d& clip,
 /// thousandth of a pixel.
 constexpr double kBehindPx = 1e5;
 
-void set_orthographic(Camera& camera, const Mat4d& clip, ClipDepth depth, double height_px) {
+void set_orthographic(Camera& camera, const Mat4d& of_any_scale, ClipDepth depth, double height_px) {
+  const Mat4d clip = of_any_scale / of_any_scale[3][3];
   const Vec3d y(row(clip, 1)), z(reversed(row(clip, 2), row(clip, 3), depth));
   const Vec3d forward = -glm::normalize(z);
   const double metres_a_pixel = 2 / (glm::length(y) * height_px), behind = kBehindPx * metres_a_pixel;
@@ -63,7 +64,7 @@ void set_orthographic(Camera& camera, const Mat4d& clip, ClipDepth depth, double
   const auto moved = [&](const Vec4d& r) { return Vec4d(Vec3d(r), glm::dot(r, eye)); };
   camera.view_projection = from_rows(moved(row(clip, 0)), moved(row(clip, 1)),
                                      moved(reversed(row(clip, 2), row(clip, 3), depth)), row(clip, 3)) *
-                           (behind / clip[3][3]);
+                           behind;
   const glm::dmat3 linear = linear_part(row(clip, 0), row(clip, 1), Vec4d(forward, 0));
   camera.mirrored = glm::determinant(linear) > 0;
   set_rays(camera, linear);
