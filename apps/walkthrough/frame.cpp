@@ -7,6 +7,7 @@
 
 #include "apps/walkthrough/options.h"
 #include "gl/context.h"
+#include "scenegraph/draw/frame_data.h"
 
 namespace manzana::walkthrough {
 namespace {
@@ -102,6 +103,7 @@ void apply(const Options& options, Stage& stage) {
   if (options.tree_law) stage.options.tree_law = options.tree_law;
   stage.options.trees_by_node = options.trees_by_node;
   stage.options.wind = options.wind ? 1 : 0;
+  if (options.sun_deg) stage.options.sun = draw::sun_direction((*options.sun_deg)[0], (*options.sun_deg)[1]);
 }
 
 FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {

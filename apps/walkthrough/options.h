@@ -2,6 +2,7 @@
 /// What the command line says.
 ///   Parsed parsed = parse_options(argc, argv);
 ///   if (!parsed.options) return apps::reply(parsed);        // --help, --version or wrong usage
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -46,7 +47,8 @@ struct Options {
   std::vector<PlantFile> plants;
   std::optional<double> tree_error_px;  ///< without it the quality decides
   double tree_vertices = 0, tree_ms = 0;
-  std::optional<foliage::Law> tree_law;  ///< the same
+  std::optional<foliage::Law> tree_law;          ///< the same
+  std::optional<std::array<double, 2>> sun_deg;  ///< azimuth and height; without it from the south-east
   bool trees_by_node = false, wind = true, packs = true;
 };
 

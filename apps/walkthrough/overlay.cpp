@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "scenegraph/draw/frame_data.h"
+
 namespace manzana::walkthrough {
 namespace {
 
@@ -97,18 +99,13 @@ void draw_light(PanelState& panel, draw::DrawOptions& options) {
   moved |= ImGui::SliderFloat("sun height", &panel.sun_elevation_deg, 2, 90, "%.0f deg");
   if (moved)
     options.sun =
-        sun_direction(static_cast<double>(panel.sun_azimuth_deg), static_cast<double>(panel.sun_elevation_deg));
+        draw::sun_direction(static_cast<double>(panel.sun_azimuth_deg), static_cast<double>(panel.sun_elevation_deg));
   auto fog = static_cast<float>(options.fog_distance_m);
   if (ImGui::SliderFloat("fog at", &fog, 100, 50000, "%.0f m", ImGuiSliderFlags_Logarithmic))
     options.fog_distance_m = static_cast<double>(fog);
 }
 
 }  // namespace
-
-Vec3d sun_direction(double azimuth_deg, double elevation_deg) {
-  const double azimuth = glm::radians(azimuth_deg), elevation = glm::radians(elevation_deg);
-  return {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation), std::sin(elevation)};
-}
 
 void take_in(PanelState& panel, const FrameRow& row, double frame_seconds) {
   const double share = 1 - std::exp(-frame_seconds / 0.5);

@@ -24,6 +24,4 @@ void draw_key_help();
 void draw_attribution(const std::string& text);  ///< lower right corner; nothing for an empty text
 void draw_message(const std::string& text);      ///< at the lower edge
 
-Vec3d sun_direction(double azimuth_deg, double elevation_deg);  ///< unit, in L
-
 }  // namespace manzana::walkthrough

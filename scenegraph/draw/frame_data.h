@@ -31,4 +31,7 @@ inline Vec3 placed(const Rows& rows, const Vec3& p) {
 FrameData make_frame(const LocalFrame& frame, const Camera& camera, const DrawOptions& options,
                      const BlockFrame& anchor);
 
+/// Towards a sun that stands over that azimuth, from the north over the east. Unit, in L's axes.
+Vec3d sun_direction(double azimuth_deg, double height_deg);
+
 }  // namespace manzana::draw

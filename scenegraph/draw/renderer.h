@@ -42,7 +42,7 @@ struct Layers {
 
 struct DrawOptions {
   Layers layers;
-  Vec3d sun{0.45, -0.55, 0.70};  ///< towards the sun, in L; need not be of unit length
+  Vec3d sun{0.45, -0.55, 0.70};  ///< towards the sun, in L; need not be of unit length; the lower, the redder
   double tree_error_px = 0;      ///< what is smaller may be wrong, in cars, too; 0: what the quality says
   double tree_vertices = 0;      ///< at most so many in all trees: the error grows until they suffice; 0: no limit
   std::optional<foliage::Law> tree_law = {};  ///< none: the quality's
