@@ -90,7 +90,7 @@ std::uint64_t checksum_of(const Column<Item>& column) {
 template <class Row>
 std::vector<Row> zeroed(std::size_t n) {
   std::vector<Row> rows(n);
-  std::memset(static_cast<void*>(rows.data()), 0, n * sizeof(Row));
+  if (n > 0) std::memset(static_cast<void*>(rows.data()), 0, n * sizeof(Row));
   return rows;
 }
 const auto& tidy(const auto& column) { return column; }
