@@ -176,7 +176,7 @@ void pack_objects(BqrTree& tree, std::uint32_t block, const BlockObjects& object
   }
   std::sort(packing.begin(), packing.end(),
             [](const Packing& a, const Packing& b) { return std::pair(a.key, a.row) < std::pair(b.key, b.row); });
-  write_packets(&tree.packets[node.child[lane] / kPacket], node.child[lane] % kPacket, packing);
+  write_packets(tree.packets.data() + node.child[lane] / kPacket, node.child[lane] % kPacket, packing);
   for (std::uint32_t i = 0; i < packing.size(); ++i) {
     tree.object_order[run.first + i] = packing[i].row;
     if (tree.classes.empty()) continue;

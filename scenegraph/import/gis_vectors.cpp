@@ -181,7 +181,7 @@ class Reader {
   static void complete(BuildingFeature& building, const std::string& kind) {
     const std::vector<Vec2d>& ring = building.footprint.outer;
     BuildingSite site;
-    site.kind = kind.empty() ? "yes" : kind;
+    site.kind = kind.empty() ? std::string_view("yes") : kind;
     site.id = hash_text(building.where);
     site.area = plan::area(building.footprint);
     site.corners = ring.size();
