@@ -37,7 +37,7 @@ LeafPoint placed(const LeafPoint& point, const TreeSite& site, float scale) {
   out.position = site.position + turned(site, point.position * size);
   out.area *= scale * site.radius * site.height;
   out.normal = pack_normal(glm::normalize(turned(site, normal_of(point.normal) / size)));
-  out.unused = site.hash;
+  out.tree = site.hash;
   return out;
 }
 

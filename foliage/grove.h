@@ -34,7 +34,7 @@ struct GroveRule {
   Table light{};  ///< by what points are lighter then
 };
 struct Grove {
-  /// The first so many; in the block's frame; LeafPoint::unused is the tree's hash, as TreeSite has it.
+  /// The first so many; in the block's frame.
   std::vector<LeafPoint> points;
   GroveRule rule;
 };

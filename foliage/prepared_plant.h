@@ -30,13 +30,13 @@ static_assert(sizeof(PlantQuad) == 96);
 /// 32 bytes. Stands for leaf triangles, one or many. [Deussen 2005, section 10; Gadbem 2011, section 3.5]
 struct LeafPoint {
   Vec3 position;
-  float area;            ///< m2 that it hides, seen from anywhere: half the triangles' area, times their alpha, times
-                         ///< what is fitted for its level so that all of it cover, as squares, what the leaves do
-  std::uint32_t normal;  ///< pack_normal, with the branch's level
-  std::uint32_t colour;  ///< sRGB, r lowest: mean of the texels in linear light, weighted by alpha; highest byte: the
-                         ///< standard deviation of what it stands for over the mean, in 255ths
-  float shade;           ///< in [0, 1], or a little more: foliage/point_shade.h
-  std::uint32_t unused = 0;
+  float area;              ///< m2 that it hides, seen from anywhere: half the triangles' area, times their alpha, times
+                           ///< what is fitted for its level so that all of it cover, as squares, what the leaves do
+  std::uint32_t normal;    ///< pack_normal, with the branch's level
+  std::uint32_t colour;    ///< sRGB, r lowest: mean of the texels in linear light, weighted by alpha; highest byte: the
+                           ///< standard deviation of what it stands for over the mean, in 255ths
+  float shade;             ///< in [0, 1], or a little more: foliage/point_shade.h
+  std::uint32_t tree = 0;  ///< of a grove's: the hash of its tree, as TreeSite has it
 };
 static_assert(sizeof(LeafPoint) == 32);
 

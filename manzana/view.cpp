@@ -63,14 +63,8 @@ void set_depth(draw::Overlay& overlay, const HostCamera& host, const draw::Camer
   overlay.depth_offset = halved ? (at_infinity + 1) / 2 : at_infinity;
 }
 
-std::uint64_t blocks_in(std::span<const culling::LeafRun> runs) {
-  std::uint64_t blocks = 0;
-  for (const culling::LeafRun& run : runs) blocks += run.last - run.first;
-  return blocks;
-}
-
 Update::Seen count_seen(const Scene& scene, const VisibleSets& sets) {
-  return {blocks_in(sets.blocks()),
+  return {sets.block_count(),
           count(scene.buildings.table, sets.objects()),
           count(scene.surfaces.table, sets.objects()),
           count(scene.trees.table, sets.objects()),

@@ -28,6 +28,11 @@ struct VisibleSets {
     if (kept) return kept_blocks;
     return with_nodes ? std::span<const culling::LeafRun>(city_blocks) : answer.blocks();
   }
+  std::uint64_t block_count() const {
+    std::uint64_t n = 0;
+    for (const culling::LeafRun& run : blocks()) n += run.last - run.first;
+    return n;
+  }
   /// Of what a host has put there: Nodes::find.
   std::span<const culling::ObjectRun> nodes() const { return answer.objects().subspan(city_runs); }
 

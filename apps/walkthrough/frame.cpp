@@ -27,12 +27,6 @@ class Stopwatch {
   Clock::time_point last_ = Clock::now();
 };
 
-std::uint64_t blocks_in(std::span<const culling::LeafRun> runs) {
-  std::uint64_t blocks = 0;
-  for (const culling::LeafRun& run : runs) blocks += run.last - run.first;
-  return blocks;
-}
-
 /// Its own clock tells nothing of a software renderer: the frame's does, once it is done.
 bool must_wait(const Stage& stage) { return stage.tree_ms > 0 && gl::software_renderer(); }
 
@@ -129,7 +123,7 @@ FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {
   if (stage.wait || must_wait(stage)) glFinish();
   row.draw_ms = watch.lap() * 1e3;
   row.meshes_missing = counts.bytes_without_room;
-  row.blocks_visible = blocks_in(stage.sets.blocks());
+  row.blocks_visible = stage.sets.block_count();
   row.buildings_visible = counts.buildings;
   row.trees_visible = counts.trees;
   row.cars_visible = counts.cars;

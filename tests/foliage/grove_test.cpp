@@ -49,7 +49,7 @@ double covered(const Grove& grove, const GroveShown& shown, double up) {
     const double half = 0.5 * std::sqrt(static_cast<double>(point.area * shown.scale) * weight) / kPixel;
     const Vec3d p(point.position);
     const double x = p.x / kPixel, y = (-up * p.y + level * p.z) / kPixel;
-    auto& picture = pictures[point.unused];
+    auto& picture = pictures[point.tree];
     for (int j = static_cast<int>(std::ceil(y - half)); j < y + half; ++j)
       for (int i = static_cast<int>(std::ceil(x - half)); i < x + half; ++i) picture[{i, j}] = true;
   }
@@ -64,11 +64,11 @@ TEST_CASE("grove: every first few of its points have of each tree its share to a
   const std::vector<TreeSite> sites = make_sites(20, 2);
   const Grove grove = GroveMaker(plants()).make(sites);
   std::map<std::uint32_t, int> all, now;
-  for (const LeafPoint& point : grove.points) ++all[point.unused];
+  for (const LeafPoint& point : grove.points) ++all[point.tree];
   REQUIRE(all.size() == sites.size());
   REQUIRE(grove.points.size() == grove.rule.points);
   for (std::size_t n = 1; n <= grove.points.size(); ++n) {
-    ++now[grove.points[n - 1].unused];
+    ++now[grove.points[n - 1].tree];
     for (const auto& [tree, count] : all) {
       const double share = static_cast<double>(n) * count / static_cast<double>(grove.points.size());
       REQUIRE(std::abs(now[tree] - share) < 2);
