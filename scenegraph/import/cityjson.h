@@ -9,8 +9,9 @@ namespace manzana {
 /// By its name (.city.json, .jsonl) or, for other .json, by what it holds. False where it cannot be read.
 bool is_cityjson(const std::filesystem::path& file);
 
-/// For tests of bytes. `sequence`: a document or feature a line. Throws std::runtime_error without the file's name.
+/// For tests of bytes. `sequence`: a document or feature a line. `folder`: of its pictures. Throws std::runtime_error
+/// without the file's name.
 CityFeatures read_cityjson_bytes(std::string_view bytes, bool sequence, const ImportOptions& options,
-                                 const Progress& progress);
+                                 const Progress& progress, const std::optional<std::filesystem::path>& folder = {});
 
 }  // namespace manzana

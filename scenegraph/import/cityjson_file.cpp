@@ -26,7 +26,10 @@ void each_line(std::string_view bytes, Visit&& visit) {
   }
 }
 
-CityFeatures read_sequence(std::string_view bytes, const ImportOptions& options, const Progress& progress) {
+using Folder = std::optional<std::filesystem::path>;
+
+CityFeatures read_sequence(std::string_view bytes, const ImportOptions& options, const Progress& progress,
+                           const Folder& folder) {
   std::optional<cityjson::Intake> intake;
   each_line(bytes, [&](std::string_view line, std::size_t number) {
     const std::string where = "line " + std::to_string(number);
@@ -34,7 +37,7 @@ CityFeatures read_sequence(std::string_view bytes, const ImportOptions& options,
       progress("reading", static_cast<double>(line.data() - bytes.data()) / static_cast<double>(bytes.size()));
     try {
       const Json json = parse_shallow_json(line);
-      if (!intake) intake.emplace(json, options);
+      if (!intake) intake.emplace(json, options, folder);
       intake->add(json);
     } catch (const std::runtime_error& error) {
       if (!intake) throw std::runtime_error(where + " is no header of a CityJSON sequence: " + error.what());
@@ -48,11 +51,11 @@ CityFeatures read_sequence(std::string_view bytes, const ImportOptions& options,
 }  // namespace
 
 CityFeatures read_cityjson_bytes(std::string_view bytes, bool sequence, const ImportOptions& options,
-                                 const Progress& progress) {
+                                 const Progress& progress, const std::optional<std::filesystem::path>& folder) {
   if (progress) progress("reading", 0);
-  if (sequence) return read_sequence(bytes, options, progress);
+  if (sequence) return read_sequence(bytes, options, progress, folder);
   const Json json = parse_shallow_json(bytes);
-  cityjson::Intake intake(json, options);
+  cityjson::Intake intake(json, options, folder);
   if (progress) progress("reading", 0.5);
   intake.add(json);
   return features_of(intake.take());
@@ -77,7 +80,8 @@ CityFeatures read_cityjson(const std::filesystem::path& file, const ImportOption
   try {
     const auto bytes = files::read_whole(file, sequence ? kMostSequence : kMostBytes);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    return read_cityjson_bytes(text, sequence, options, progress);
+    return read_cityjson_bytes(text, sequence, options, progress,
+                               file.parent_path().empty() ? "." : file.parent_path());
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(file.string() + ": " + error.what());
   }

@@ -25,38 +25,30 @@ const Json* beside(const Json* values, std::size_t i) {
   return values != nullptr && values->is_array() && i < values->size() ? &(*values)[i] : nullptr;
 }
 
-std::uint32_t value_of(const Json* value) {
-  const bool plain = value != nullptr && value->is_number_unsigned() && value->get<std::uint64_t>() < kNone;
-  return plain ? value->get<std::uint32_t>() : kNone;
-}
-
-/// Of the first theme: nested values, or one value for all.
-struct Values {
-  const Json* nested = nullptr;
-  std::uint32_t all = kNone;
-};
-Values materials_of(const Json& geometry) {
-  const Json* themes = member(geometry, "material");
-  if (themes == nullptr || !themes->is_object() || themes->empty()) return {};
-  return {member(*themes->begin(), "values"), value_of(member(*themes->begin(), "value"))};
+/// visit(shell, what is beside it) for those that are seen: of a solid the outer one.
+template <class Visit>
+void each_shell(const Json& geometry, const Json* values, Visit&& visit) {
+  const std::string type = text_of(member(geometry, "type"));
+  const auto boundaries = [&]() -> const Json& { return array_in(member(geometry, "boundaries"), "boundaries"); };
+  const auto solid = [&](const Json& shells, const Json* those) {
+    if (!array_in(&shells, "a solid").empty()) visit(shells[0], beside(those, 0));
+  };
+  if (type == "MultiSurface" || type == "CompositeSurface") visit(boundaries(), values);
+  if (type == "Solid") solid(boundaries(), values);
+  if (type == "MultiSolid" || type == "CompositeSolid")
+    for (std::size_t i = 0; i < boundaries().size(); ++i) solid(boundaries()[i], beside(values, i));
 }
 
 class Decoder {
  public:
-  Decoder(std::size_t vertices, std::uint32_t material) : vertices_(vertices), material_(material) {}
+  explicit Decoder(std::size_t vertices) : vertices_(vertices) {}
 
-  void part(const Json& faces, const Json* semantics, const Json* materials) {
+  void part(const Json& faces, const Json* semantics) {
     for (std::size_t i = 0; i < array_in(&faces, "a shell").size(); ++i) {
       for (const Json& r : array_in(&faces[i], "a surface")) ring(r);
-      const std::uint32_t own = value_of(beside(materials, i));
-      out_.faces.push_back({static_cast<std::uint32_t>(out_.ring_last.size()), value_of(beside(semantics, i)),
-                            own == kNone ? material_ : own});
+      out_.faces.push_back({static_cast<std::uint32_t>(out_.ring_last.size()), number_of(beside(semantics, i))});
     }
     out_.part_last.push_back(static_cast<std::uint32_t>(out_.faces.size()));
-  }
-
-  void solid(const Json& shells, const Json* semantics, const Json* materials) {
-    if (!array_in(&shells, "a solid").empty()) part(shells[0], beside(semantics, 0), beside(materials, 0));
   }
 
   Surfaces take() { return std::move(out_); }
@@ -73,25 +65,30 @@ class Decoder {
   }
 
   std::size_t vertices_;
-  std::uint32_t material_;
   Surfaces out_;
 };
 
 }  // namespace
 
 Surfaces surfaces_of(const Json& geometry, std::size_t vertices) {
-  const std::string type = text_of(member(geometry, "type"));
-  const Values materials = materials_of(geometry);
-  Decoder decoder(vertices, materials.all);
+  Decoder decoder(vertices);
   const Json* semantics = member(geometry, "semantics");
-  const Json* kinds = semantics == nullptr ? nullptr : member(*semantics, "values");
-  const auto boundaries = [&]() -> const Json& { return array_in(member(geometry, "boundaries"), "boundaries"); };
-  if (type == "MultiSurface" || type == "CompositeSurface") decoder.part(boundaries(), kinds, materials.nested);
-  if (type == "Solid") decoder.solid(boundaries(), kinds, materials.nested);
-  if (type == "MultiSolid" || type == "CompositeSolid")
-    for (std::size_t i = 0; i < boundaries().size(); ++i)
-      decoder.solid(boundaries()[i], beside(kinds, i), beside(materials.nested, i));
+  each_shell(geometry, semantics == nullptr ? nullptr : member(*semantics, "values"),
+             [&](const Json& shell, const Json* kinds) { decoder.part(shell, kinds); });
   return decoder.take();
+}
+
+std::vector<const Json*> value_of_each(const Json& geometry, const Json* values) {
+  std::vector<const Json*> each;
+  each_shell(geometry, values, [&](const Json& shell, const Json* those) {
+    for (std::size_t i = 0; i < shell.size(); ++i) each.push_back(beside(those, i));
+  });
+  return each;
+}
+
+std::uint32_t number_of(const Json* value) {
+  const bool plain = value != nullptr && value->is_number_unsigned() && value->get<std::uint64_t>() < kNone;
+  return plain ? value->get<std::uint32_t>() : kNone;
 }
 
 std::vector<std::uint32_t> points_of(const Json& geometry, std::size_t vertices) {

@@ -21,7 +21,6 @@ struct Surfaces {
   struct Face {
     std::uint32_t last_ring = 0;
     std::uint32_t semantic = kNone;  ///< of geometry.semantics.surfaces
-    std::uint32_t material = kNone;  ///< of appearance.materials
   };
   std::vector<std::uint32_t> corners, ring_last;
   std::vector<Face> faces;
@@ -29,8 +28,13 @@ struct Surfaces {
 };
 
 /// MultiSurface, CompositeSurface, Solid (its outer shell: what is seen), MultiSolid, CompositeSolid; of others, as of
-/// points and lines, nothing. Rings lose points that repeat. Materials are of the first theme.
+/// points and lines, nothing. Rings lose points that repeat.
 Surfaces surfaces_of(const Json& geometry, std::size_t vertices);
+
+/// What `values`, nested as the boundaries are, say of each face of surfaces_of; null: nothing.
+std::vector<const Json*> value_of_each(const Json& geometry, const Json* values);
+/// A number of something, kNone where it is none.
+std::uint32_t number_of(const Json* value);
 
 /// Of a MultiPoint.
 std::vector<std::uint32_t> points_of(const Json& geometry, std::size_t vertices);

@@ -86,13 +86,6 @@ std::vector<FaceKind> kinds_of(const Json& geometry) {
   return kinds;
 }
 
-std::uint32_t rgb_of(const Json& material) {
-  const Json* colour = member(material, "diffuseColor");
-  if (colour == nullptr) return kNone;
-  const Vec3d c = glm::clamp(vec3_of(*colour, "diffuseColor"), 0.0, 1.0) * 255.0 + 0.5;
-  return static_cast<std::uint32_t>(c.r) << 16 | static_cast<std::uint32_t>(c.g) << 8 | static_cast<std::uint32_t>(c.b);
-}
-
 std::vector<Vec3d> coordinates(const Json* json, const Vec3d& scale, const Vec3d& translate) {
   std::vector<Vec3d> points;
   if (json == nullptr || !json->is_array()) return points;
@@ -162,8 +155,10 @@ Role role_of(const std::string& type) {
   return type == "SolitaryVegetationObject" ? Role::tree : Role::unknown;
 }
 
-Intake::Intake(const Json& header, const ImportOptions& options)
-    : options_(options), system_((check_version(header), system_of(header, options.reference_system))) {
+Intake::Intake(const Json& header, const ImportOptions& options, std::optional<std::filesystem::path> folder)
+    : options_(options),
+      system_((check_version(header), system_of(header, options.reference_system))),
+      folder_(std::move(folder)) {
   if (const Json* transform = member(header, "transform")) {
     const auto need = [&](const char* name) {
       const Json* found = member(*transform, name);
@@ -179,17 +174,8 @@ Intake::Intake(const Json& header, const ImportOptions& options)
     out_.issues.push_back({"file", "names no reference system: it is laid at latitude 0, longitude 0"});
   out_.attribution = title_of(header);
   out_.attributes = AttributeWriter(options.attributes);
-  read_looks(header);
+  common_ = appearance_of(header, out_.issues);
   read_templates(header);
-}
-
-void Intake::read_looks(const Json& header) {
-  const Json* appearance = member(header, "appearance");
-  if (appearance == nullptr) return;
-  if (const Json* materials = member(*appearance, "materials"); materials != nullptr && materials->is_array())
-    for (const Json& material : *materials) materials_.push_back(rgb_of(material));
-  if (const Json* textures = member(*appearance, "textures"); textures != nullptr && !textures->empty())
-    out_.issues.push_back({"appearance", "textures are not drawn"});
 }
 
 void Intake::read_templates(const Json& header) {
@@ -215,6 +201,9 @@ void Intake::add(const Json& document) {
   const Json* objects = member(document, "CityObjects");
   if (objects == nullptr || !objects->is_object()) throw std::runtime_error("CityObjects is no object");
   const Vertices vertices = vertices_of(document);
+  const bool feature = text_of(member(document, "type")) == "CityJSONFeature";
+  if (feature) own_ = appearance_of(document, out_.issues);
+  looks_ = feature && member(document, "appearance") != nullptr ? &own_ : &common_;
   work_at_.clear();
   for (const auto& [id, json] : objects->items()) {
     try {
@@ -280,6 +269,10 @@ Work& Intake::work_of(const Json& objects, const std::string& root, Role role) {
 }
 
 Collected Intake::take() {
+  worn_.paint(folder_, out_.issues, [&](std::uint32_t surface, std::uint32_t rgb) {
+    const auto [work, face] = surfaces_[surface];
+    out_.works[work].colour[face] = rgb;
+  });
   for (Work& work : out_.works) work.shape.attributes = row_of(work.said, out_.attributes);
   return std::move(out_);
 }
@@ -295,7 +288,7 @@ void Intake::note(const Json& json, std::vector<std::pair<std::string, std::stri
 
 void Intake::append(Work& work, const Json& geometry, const Vertices& vertices) {
   if (text_of(member(geometry, "type")) != "GeometryInstance")
-    return append(work, surfaces_of(geometry, vertices.file.size()), geometry, vertices.geo);
+    return append(work, surfaces_of(geometry, vertices.file.size()), geometry, vertices.geo, *looks_);
   const Instance instance = instance_of(geometry, templates_.size(), vertices.file.size());
   const Json& shape = templates_[instance.geometry];
   const Surfaces surfaces = surfaces_of(shape, template_vertices_.size());
@@ -304,10 +297,11 @@ void Intake::append(Work& work, const Json& geometry, const Vertices& vertices) 
   std::vector<Vec3d> placed(template_vertices_.size(), Vec3d(kNaN));
   for (const std::uint32_t c : surfaces.corners)
     placed[c] = geo(vertices.file[instance.vertex] + instance(template_vertices_[c]));
-  append(work, surfaces, shape, placed);
+  append(work, surfaces, shape, placed, common_);
 }
 
-void Intake::append(Work& work, const Surfaces& surfaces, const Json& geometry, const std::vector<Vec3d>& points) {
+void Intake::append(Work& work, const Surfaces& surfaces, const Json& geometry, const std::vector<Vec3d>& points,
+                    const Appearance& looks) {
   if (std::ranges::any_of(surfaces.corners, [&](std::uint32_t c) { return !finite(points[c]); }))
     throw std::runtime_error("a vertex is not finite, or its reference system does not hold there");
   ConstructionFeature& shape = work.shape;
@@ -326,8 +320,19 @@ void Intake::append(Work& work, const Surfaces& surfaces, const Json& geometry, 
   for (const Surfaces::Face& face : surfaces.faces) {
     shape.faces.push_back({.last_ring = rings + face.last_ring});
     work.kinds.push_back(face.semantic < kinds.size() ? kinds[face.semantic] : FaceKind::untold);
-    work.colour.push_back(face.material < materials_.size() ? materials_[face.material] : kNone);
   }
+  dress(work, geometry, looks);
+}
+
+/// The faces of the geometry, which are the last.
+void Intake::dress(Work& work, const Json& geometry, const Appearance& looks) {
+  std::ranges::copy(materials_of(geometry, looks), std::back_inserter(work.colour));
+  if (work.role == Role::ground || work.role == Role::terrain) return;  // drawn by their kind
+  if (!worn_.add(geometry, looks, static_cast<std::uint32_t>(surfaces_.size()))) return;
+  const auto at = static_cast<std::uint32_t>(&work - out_.works.data());
+  const auto last = static_cast<std::uint32_t>(work.colour.size());
+  for (auto face = last - static_cast<std::uint32_t>(value_of_each(geometry, nullptr).size()); face < last; ++face)
+    surfaces_.emplace_back(at, face);
 }
 
 void Intake::plant(const std::string& id, const Json& json, const Vertices& vertices) {

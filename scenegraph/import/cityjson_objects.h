@@ -6,7 +6,7 @@
 ///   CityFeatures city = features_of(intake.take());
 #include <optional>
 
-#include "scenegraph/import/cityjson_geometry.h"
+#include "scenegraph/import/cityjson_looks.h"
 #include "scenegraph/import/import.h"
 #include "scenegraph/import/reference_system.h"
 
@@ -26,7 +26,7 @@ struct Work {
   ConstructionFeature shape;
   std::vector<std::pair<std::string, std::string>> said;  ///< attributes, the root's first
   std::vector<FaceKind> kinds;                            ///< a row a face
-  std::vector<std::uint32_t> colour;                      ///< a row a face: of its material; kNone
+  std::vector<std::uint32_t> colour;                      ///< a row a face: of its picture or material; kNone
 };
 
 struct StandingTree {
@@ -51,8 +51,8 @@ struct Vertices {
 
 class Intake {
  public:
-  /// Throws std::runtime_error where the header is no CityJSON 1.0 to 2.0.
-  Intake(const Json& header, const ImportOptions& options);
+  /// `folder`: of the pictures. Throws std::runtime_error where the header is no CityJSON 1.0 to 2.0.
+  Intake(const Json& header, const ImportOptions& options, std::optional<std::filesystem::path> folder);
   /// A document or a feature. Throws where it has no objects at all.
   void add(const Json& document);
   Collected take();
@@ -66,13 +66,14 @@ class Intake {
   Vec3d geo(const Vec3d& file);
   Vertices vertices_of(const Json& document);
   void read_templates(const Json& header);
-  void read_looks(const Json& header);
   void object(const Json& objects, const std::string& id, const Json& json, const Vertices& vertices);
   void note(const Json& json, std::vector<std::pair<std::string, std::string>>& said) const;
   void plant(const std::string& id, const Json& json, const Vertices& vertices);
   Work& work_of(const Json& objects, const std::string& id, Role role);
   void append(Work& work, const Json& geometry, const Vertices& vertices);
-  void append(Work& work, const Surfaces& surfaces, const Json& geometry, const std::vector<Vec3d>& points);
+  void append(Work& work, const Surfaces& surfaces, const Json& geometry, const std::vector<Vec3d>& points,
+              const Appearance& looks);
+  void dress(Work& work, const Json& geometry, const Appearance& looks);
   std::vector<const Json*> chosen(const Json& json) const;
   double lod(const Json& geometry) const;
   bool only_footprints(const Json& json) const;
@@ -80,7 +81,11 @@ class Intake {
   const ImportOptions& options_;
   ReferenceSystem system_;
   Vec3d scale_{1, 1, 1}, translate_{0, 0, 0};
-  std::vector<std::uint32_t> materials_;  // 0xRRGGBB
+  std::optional<std::filesystem::path> folder_;
+  Appearance common_, own_;  // of the header, for templates too; of a feature
+  const Appearance* looks_ = &common_;
+  Worn worn_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> surfaces_;  // of what may wear pictures: a work and its face
   Json templates_;
   std::vector<Vec3d> template_vertices_;
   std::unordered_map<std::string, std::uint32_t> work_at_;  // of a document: by the root's id
