@@ -20,12 +20,22 @@
 
 namespace manzana {
 
-/// Objects with a mesh each. Row i has the indices [index_first[i], index_first[i + 1]) of `mesh`, so a run of rows is
-/// one run of indices.
-struct MeshLayer {
-  LayerTable table;
+/// Meshes of objects. Row i has the indices [index_first[i], index_first[i + 1]) of `mesh`, so a run of rows is one run
+/// of indices.
+struct MeshRows {
   StoredMesh mesh;
   std::vector<std::uint32_t> index_first;
+};
+
+/// Metres by which the points of a row may be off its level. Coarser ones have fewer triangles.
+inline constexpr std::array<double, 3> kMeshLevelErrors{0.1, 0.4, 1.6};
+inline constexpr std::size_t kMeshLevels = kMeshLevelErrors.size();
+
+/// Objects with a mesh each, and their levels: a row that a level has nothing of is at that level as it is at the one
+/// before.
+struct MeshLayer : MeshRows {
+  LayerTable table;
+  std::array<MeshRows, kMeshLevels> levels;
 };
 
 /// What a tree is where no more is known.

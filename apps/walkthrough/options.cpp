@@ -142,7 +142,7 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
   app.add_option("--out", options.out, "folder for pictures, frames.csv, summary.json, recorded paths")
       ->capture_default_str();
   app.add_option("--quality", options.quality,
-                 "fast, balanced, accurate: what trees and cars may be wrong by, as measured; exact: nothing is\n"
+                 "fast, balanced, accurate: what may be wrong, in pixels, as measured in trees; exact: nothing is\n"
                  "left out, nor culled. Without it balanced; in software fast, with one sample a pixel")
       ->check(CLI::IsMember(draw::quality_names()));
   app.add_option(

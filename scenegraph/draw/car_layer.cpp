@@ -26,7 +26,7 @@ CarLayerGpu::CarLayerGpu(std::size_t cars)
       program(gl::make_program(
           "car", {shaders::version_glsl, shaders::frame_layout_glsl, shaders::frame_glsl, shaders::car_vert},
           {shaders::version_glsl, shaders::frame_layout_glsl, shaders::frame_glsl, shaders::light_glsl,
-           shaders::car_frag})) {}
+           shaders::share_glsl, shaders::car_frag})) {}
 
 Drawn draw_cars(CarLayerGpu& layer, const Scene& scene, std::span<const CarState> cars, const Vec3d& eye,
                 gl::StreamBuffer& stream) {

@@ -16,11 +16,13 @@ Paint paint_at(const CityMesh& mesh, std::size_t triangle) {
   return paint_of(material_of(mesh.vertices[mesh.indices[triangle + 2]]));
 }
 
-gl::Program make_paint(std::string_view name, std::string_view fragment, const PhotoPieces& photo) {
+gl::Program make_paint(std::string_view name, std::string_view fragment, const PhotoPieces& photo,
+                       bool fading = false) {
   using namespace shaders;
-  return gl::make_program(
-      name, {version_glsl, frame_layout_glsl, frame_glsl, light_glsl, city_vert},
-      {version_glsl, frame_layout_glsl, frame_glsl, noise_glsl, light_glsl, photo[0], photo[1], city_glsl, fragment});
+  const std::string_view share = fading ? fade_glsl : whole_glsl;
+  return gl::make_program(name, {version_glsl, frame_layout_glsl, frame_glsl, light_glsl, city_vert},
+                          {version_glsl, frame_layout_glsl, frame_glsl, noise_glsl, light_glsl, share_glsl, photo[0],
+                           photo[1], city_glsl, share, fragment});
 }
 
 }  // namespace
@@ -46,6 +48,18 @@ PaintPrograms make_paint_programs(bool photo) {
   return {make_paint("facade", shaders::facade_frag, pieces), make_paint("roof", shaders::roof_frag, pieces),
           make_paint("road", shaders::road_frag, pieces), make_paint("water", shaders::water_frag, pieces),
           make_paint("ground", shaders::ground_frag, pieces)};
+}
+
+PaintPrograms make_fading_programs() {
+  const PhotoPieces none = photo_pieces(false);
+  PaintPrograms programs;
+  const auto make = [&](Paint paint, std::string_view name, std::string_view fragment) {
+    programs[static_cast<std::size_t>(paint)] = make_paint(name, fragment, none, true);
+  };
+  make(Paint::facade, "fading facade", shaders::facade_frag);
+  make(Paint::roof, "fading roof", shaders::roof_frag);
+  make(Paint::ground, "fading concrete", shaders::ground_frag);
+  return programs;
 }
 
 PaintedIndices sort_by_paint(const CityMesh& mesh, std::span<const std::uint32_t> index_first) {

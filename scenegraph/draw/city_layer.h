@@ -22,6 +22,8 @@ Paint paint_of(Material material);
 using PaintPrograms = std::array<gl::Program, kPaints>;
 /// `photo`: the ground has one (photo_layer.h).
 PaintPrograms make_paint_programs(bool photo);
+/// Those of buildings, for what is between two levels: each sample of a pixel shows one of both.
+PaintPrograms make_fading_programs();
 
 /// Indices [first[p][i], first[p][i + 1]) of `indices` are object i's triangles of paint p.
 struct PaintedIndices {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "gl/vertex_array.h"
 
@@ -9,53 +10,19 @@ namespace manzana::draw {
 namespace {
 
 constexpr std::uint32_t kMaxBlocks = 1U << 24;
-constexpr std::uint32_t kPieceVertices = 2048;
 constexpr std::uint32_t kFirstVertices = 1U << 14, kFirstIndices = 1U << 15;
 constexpr std::uint64_t kLongUnseen = 600;  // frames: ten seconds
+constexpr std::uint32_t kShares = 256;      // steps from one level to the next
 
-/// From the lowest to past the highest vertex of the indices.
-culling::ObjectRun vertices_of(std::span<const std::uint32_t> indices) {
-  if (indices.empty()) return {0, 0};
-  const auto [low, high] = std::ranges::minmax_element(indices);
-  return {*low, *high + 1};
+/// By base instance: share / kShares of the finer of two levels; from kShares on, below 0, what the coarser has of it.
+gl::Buffer make_shares() {
+  std::vector<float> shares;
+  for (const float side : {1.0F, -1.0F})
+    for (std::uint32_t i = 0; i < kShares; ++i) shares.push_back(side * static_cast<float>(i) / kShares);
+  return gl::make_buffer(std::as_bytes(std::span(shares)));
 }
-
-std::span<const std::uint32_t> indices_of(const MeshLayer& layer, const culling::ObjectRun& rows) {
-  return layer.mesh.indices.items().subspan(layer.index_first[rows.first],
-                                            layer.index_first[rows.last] - layer.index_first[rows.first]);
-}
-
-/// Of a baked city, what was copied from the file.
-void let_go(const MeshLayer& layer, const Piece& piece) {
-  layer.mesh.vertices.let_go(piece.vertices.first, piece.vertices.last);
-  layer.mesh.indices.let_go(layer.index_first[piece.rows.first], layer.index_first[piece.rows.last]);
-}
-
-/// The piece's part of the mesh, its vertices counted from its first; a vertex's block has the street's lanes above it.
-/// `colours`: a row each, or none.
-CityMesh mesh_of(const MeshLayer& layer, const Piece& piece, std::span<const std::uint32_t> colours) {
-  CityMesh mesh;
-  mesh.vertices.assign(layer.mesh.vertices.begin() + piece.vertices.first,
-                       layer.mesh.vertices.begin() + piece.vertices.last);
-  for (const std::uint32_t i : indices_of(layer, piece.rows)) mesh.indices.push_back(i - piece.vertices.first);
-  const std::vector<std::uint8_t> lanes = count_lanes(mesh);
-  for (std::size_t i = 0; i < lanes.size(); ++i) mesh.vertices[i].block |= std::uint32_t{lanes[i]} << 24;
-  for (std::uint32_t row = piece.rows.first; !colours.empty() && row < piece.rows.last; ++row) {
-    if (colours[row] == kOwnColour) continue;
-    for (const std::uint32_t i : indices_of(layer, {row, row + 1})) {
-      CityVertex& vertex = mesh.vertices[i - piece.vertices.first];
-      vertex.colour = pack_colour(colours[row], static_cast<Material>(vertex.colour >> 24));
-    }
-  }
-  let_go(layer, piece);
-  return mesh;
-}
-
-std::vector<std::uint32_t> index_first_of(const MeshLayer& layer, const Piece& piece) {
-  std::vector<std::uint32_t> first;
-  for (std::uint32_t row = piece.rows.first; row <= piece.rows.last; ++row)
-    first.push_back(layer.index_first[row] - layer.index_first[piece.rows.first]);
-  return first;
+std::uint32_t instance_of(float share) {
+  return std::clamp(static_cast<std::uint32_t>(share * kShares + 0.5F), 1U, kShares - 1);
 }
 
 gl::VertexArray make_array(const gl::Buffer& vertices, const gl::Buffer& indices) {
@@ -71,6 +38,15 @@ gl::VertexArray make_array(const gl::Buffer& vertices, const gl::Buffer& indices
   glVertexArrayAttribFormat(name, 3, 2, GL_FLOAT, GL_FALSE, offsetof(CityVertex, uv));
   glVertexArrayAttribIFormat(name, 4, 1, GL_UNSIGNED_INT, offsetof(CityVertex, block));
   glVertexArrayVertexBuffer(name, 0, vertices.name(), 0, sizeof(CityVertex));
+  return array;
+}
+
+gl::VertexArray with_shares(gl::VertexArray array, const gl::Buffer& shares) {
+  glEnableVertexArrayAttrib(array.name(), 5);
+  glVertexArrayAttribBinding(array.name(), 5, 1);
+  glVertexArrayAttribFormat(array.name(), 5, 1, GL_FLOAT, GL_FALSE, 0);
+  glVertexArrayBindingDivisor(array.name(), 1, 1);
+  glVertexArrayVertexBuffer(array.name(), 1, shares.name(), 0, sizeof(float));
   return array;
 }
 
@@ -102,31 +78,10 @@ std::size_t sum_of(std::initializer_list<const LayerPieces*> layers, Keep&& keep
 
 }  // namespace
 
-std::vector<Piece> cut_into_pieces(const MeshLayer& layer) {
-  std::vector<Piece> pieces;
-  const auto rows = static_cast<std::uint32_t>(layer.index_first.empty() ? 0 : layer.index_first.size() - 1);
-  for (std::uint32_t row = 0; row < rows; ++row) {
-    if (pieces.empty() || size_of(pieces.back().vertices) >= kPieceVertices) pieces.push_back({{row, row}, {0, 0}});
-    Piece& piece = pieces.back();
-    const auto more = indices_of(layer, {row, row + 1});
-    const culling::ObjectRun reached = vertices_of(more);
-    piece.rows.last = row + 1;
-    if (more.empty()) continue;
-    piece.vertices = piece.indices == 0 ? reached
-                                        : culling::ObjectRun{std::min(piece.vertices.first, reached.first),
-                                                             std::max(piece.vertices.last, reached.last)};
-    piece.indices += static_cast<std::uint32_t>(more.size());
-  }
-  layer.mesh.indices.let_go(0, layer.mesh.indices.size());
-  return pieces;
-}
-
-LayerPieces::LayerPieces(const MeshLayer& layer)
-    : pieces(cut_into_pieces(layer)), held(pieces.size()), seen(pieces.size()) {
-  for (std::uint32_t p = 0; p < pieces.size(); ++p) piece_of.insert(piece_of.end(), size_of(pieces[p].rows), p);
-}
-
-CityMeshes::CityMeshes(const Scene& scene) : buildings(scene.buildings), surfaces(scene.surfaces) {
+CityMeshes::CityMeshes(const Scene& scene)
+    : buildings(scene.buildings, scene.tree.origin),
+      surfaces(scene.surfaces, scene.tree.origin),
+      shares_(make_shares()) {
   if (scene.blocks.size() >= kMaxBlocks) throw std::runtime_error("a scene of 2^24 blocks cannot be drawn");
   wanted_.reserve(buildings.pieces.size() + surfaces.pieces.size());
   resize(kFirstVertices, kFirstIndices);
@@ -139,18 +94,19 @@ std::size_t CityMeshes::seen_bytes() const {
 }
 
 std::size_t CityMeshes::all_bytes() const {
-  return sum_of({&buildings, &surfaces}, [](const LayerPieces&, std::size_t) { return true; });
+  return sum_of({&buildings, &surfaces}, [](const LayerPieces& layer, std::size_t p) { return p < layer.count; });
 }
 
-std::size_t CityMeshes::bring(const Scene& scene, std::span<const culling::ObjectRun> objects, std::size_t most_bytes) {
+std::size_t CityMeshes::bring(const Scene& scene, std::span<const culling::ObjectRun> objects, const MeshDetail& detail,
+                              std::size_t most_bytes) {
   ++frame_;
   wanted_.clear();
-  want(scene.buildings, buildings, objects);
-  want(scene.surfaces, surfaces, objects);
+  want(scene.buildings, buildings, objects, detail);
+  want(scene.surfaces, surfaces, objects, detail);
   std::size_t brought = 0, left = 0;
   missing_ = 0;
   for (const Wanted& wanted : wanted_) {
-    const std::size_t bytes = wanted.pieces->pieces[wanted.piece].bytes();
+    const std::size_t bytes = wanted.pieces->pieces[wanted.item].bytes();
     if (brought + bytes > most_bytes && (brought > 0 || most_bytes == 0))
       left += bytes;
     else if (hold(wanted))
@@ -158,20 +114,32 @@ std::size_t CityMeshes::bring(const Scene& scene, std::span<const culling::Objec
     else
       missing_ += bytes;
   }
+  settle(buildings);
+  settle(surfaces);
   return left;
 }
 
-void CityMeshes::want(const MeshLayer& layer, LayerPieces& pieces, std::span<const culling::ObjectRun> objects) {
+void CityMeshes::want(const MeshLayer& layer, LayerPieces& pieces, std::span<const culling::ObjectRun> objects,
+                      const MeshDetail& detail) {
   for (const culling::ObjectRun& run : objects)
     pieces.for_each(layer.table, run, [&](std::uint32_t piece, const culling::ObjectRun&) {
-      if (pieces.seen[piece] == frame_) return;
-      pieces.seen[piece] = frame_;
-      if (!pieces.held[piece] && pieces.pieces[piece].indices > 0) wanted_.push_back({&layer, &pieces, piece});
+      if (std::exchange(pieces.chosen[piece], frame_) == frame_) return;
+      pieces.choose(piece, detail);
+      for (const std::uint32_t item : {pieces.shown[piece].item, pieces.shown[piece].next}) {
+        if (std::exchange(pieces.seen[item], frame_) == frame_) continue;
+        if (!pieces.held[item] && pieces.pieces[item].indices > 0) wanted_.push_back({&layer, &pieces, item});
+      }
     });
 }
 
+void CityMeshes::settle(LayerPieces& pieces) const {
+  pieces.fading = 0;
+  for (std::uint32_t piece = 0; piece < pieces.count; ++piece)
+    if (pieces.chosen[piece] == frame_) pieces.settle(piece);
+}
+
 bool CityMeshes::hold(const Wanted& wanted) {
-  const Piece& piece = wanted.pieces->pieces[wanted.piece];
+  const Piece& piece = wanted.pieces->pieces[wanted.item];
   for (;;) {
     if (const auto place = take(piece)) {
       upload(wanted, *place);
@@ -229,28 +197,27 @@ void CityMeshes::release(LayerPieces& layer, std::size_t p) {
 
 void CityMeshes::upload(const Wanted& wanted, const Place& place) {
   LayerPieces& layer = *wanted.pieces;
-  const Piece& piece = layer.pieces[wanted.piece];
-  const CityMesh mesh = mesh_of(*wanted.layer, piece, layer.colours);
-  PaintedIndices sorted = sort_by_paint(mesh, index_first_of(*wanted.layer, piece));
-  put(vertices_, place.vertices, mesh.vertices);
+  const ItemMesh item = mesh_of(*wanted.layer, layer, wanted.item);
+  PaintedIndices sorted = sort_by_paint(item.mesh, item.index_first);
+  put(vertices_, place.vertices, item.mesh.vertices);
   put(indices_, place.indices, sorted.indices);
   for (std::size_t p = 0; p < kPaints; ++p) {
     layer.painted[p] |= sorted.first[p].front() < sorted.first[p].back();
     for (std::uint32_t& first : sorted.first[p]) first += place.indices;
   }
-  layer.held[wanted.piece] = LayerPieces::Held{place.vertices, std::move(sorted.first)};
+  layer.held[wanted.item] = LayerPieces::Held{place.vertices, std::move(sorted.first)};
 }
 
 void CityMeshes::paint(const MeshLayer& layer, LayerPieces& pieces, std::span<const std::uint32_t> colours) {
   pieces.colours.resize(colours.size(), kOwnColour);
-  for (std::size_t p = 0; p < pieces.pieces.size(); ++p) {
+  for (std::uint32_t p = 0; p < pieces.count; ++p) {
     const auto of_piece = [&](auto& all) {
       return std::span(all).subspan(pieces.pieces[p].rows.first, size_of(pieces.pieces[p].rows));
     };
     if (std::ranges::equal(of_piece(pieces.colours), of_piece(colours))) continue;
     std::ranges::copy(of_piece(colours), of_piece(pieces.colours).begin());
-    if (pieces.held[p])
-      put(vertices_, pieces.held[p]->vertices_at, mesh_of(layer, pieces.pieces[p], pieces.colours).vertices);
+    for (std::uint32_t item = p; item < pieces.pieces.size(); item += pieces.count)
+      if (pieces.held[item]) put(vertices_, pieces.held[item]->vertices_at, mesh_of(layer, pieces, item).mesh.vertices);
   }
 }
 
@@ -260,10 +227,11 @@ void CityMeshes::resize(std::uint32_t vertices, std::uint32_t indices) {
   vertex_room_.grow(vertices);
   index_room_.grow(indices);
   array_ = make_array(vertices_, indices_);
+  fading_array_ = with_shares(make_array(vertices_, indices_), shares_);
 }
 
 Drawn make_commands(const LayerTable& table, const LayerPieces& layer, Paint paint,
-                    std::span<const culling::ObjectRun> runs, gl::DrawCommand* out) {
+                    std::span<const culling::ObjectRun> runs, gl::DrawCommand* out, bool whole) {
   const auto p = static_cast<std::size_t>(paint);
   Drawn drawn;
   gl::DrawCommand open{0, 1, 0, 0, 0};
@@ -272,42 +240,57 @@ Drawn make_commands(const LayerTable& table, const LayerPieces& layer, Paint pai
     out[drawn.commands++] = open;
     drawn.triangles += open.count / 3;
   };
-  const auto add = [&](std::uint32_t piece, const culling::ObjectRun& rows) {
-    if (!layer.held[piece]) return;
-    const auto& first = layer.held[piece]->first[p];
-    const std::uint32_t before = layer.pieces[piece].rows.first;
+  const auto add = [&](std::uint32_t item, const culling::ObjectRun& rows, std::uint32_t instance) {
+    if (!layer.held[item]) return;
+    const auto& first = layer.held[item]->first[p];
+    const std::uint32_t before = layer.pieces[item].rows.first;
     const std::uint32_t begin = first[rows.first - before], end = first[rows.last - before];
-    const auto base = static_cast<GLint>(layer.held[piece]->vertices_at);
-    if (begin == open.first_index + open.count && base == open.base_vertex) {
+    const auto base = static_cast<GLint>(layer.held[item]->vertices_at);
+    if (begin == open.first_index + open.count && base == open.base_vertex && instance == open.base_instance) {
       open.count += end - begin;
     } else if (begin < end) {
       close();
-      open = {end - begin, 1, begin, base, 0};
+      open = {end - begin, 1, begin, base, instance};
     }
   };
-  for (const culling::ObjectRun& run : runs) layer.for_each(table, run, add);
+  const auto add_shown = [&](std::uint32_t piece, const culling::ObjectRun& rows) {
+    const auto& [item, next, share] = layer.shown[piece];
+    if ((share >= 1) != whole) return;
+    if (whole) return add(item, rows, 0);
+    add(item, rows, instance_of(share));
+    add(next, rows, kShares + instance_of(share));
+  };
+  for (const culling::ObjectRun& run : runs) layer.for_each(table, run, add_shown);
   close();
   return drawn;
 }
 
 std::size_t stream_bytes(const LayerPieces& layer, std::size_t runs) {
-  return kPaints * gl::StreamBuffer::padded(most_commands(layer, runs) * sizeof(gl::DrawCommand));
+  const auto padded = [&](bool whole) {
+    return kPaints * gl::StreamBuffer::padded(most_commands(layer, runs, whole) * sizeof(gl::DrawCommand));
+  };
+  return padded(true) + (layer.has_levels() ? padded(false) : 0);
 }
 
 Drawn draw_city(const CityMeshes& meshes, const LayerTable& table, const LayerPieces& layer,
-                const PaintPrograms& paints, std::span<const culling::ObjectRun> objects, gl::StreamBuffer& stream) {
+                const PaintPrograms& paints, const PaintPrograms& fading, std::span<const culling::ObjectRun> objects,
+                gl::StreamBuffer& stream) {
   Drawn drawn;
-  glBindVertexArray(meshes.array().name());
-  for (std::size_t p = 0; p < kPaints; ++p) {
-    if (!layer.painted[p]) continue;
-    const auto commands = stream.take<gl::DrawCommand>(most_commands(layer, objects.size()));
-    const Drawn part = make_commands(table, layer, static_cast<Paint>(p), objects, commands.items);
+  const auto draw = [&](std::size_t p, bool whole) {
+    const auto commands = stream.take<gl::DrawCommand>(most_commands(layer, objects.size(), whole));
+    const Drawn part = make_commands(table, layer, static_cast<Paint>(p), objects, commands.items, whole);
     drawn.triangles += part.triangles;
     drawn.commands += part.commands;
-    if (part.commands == 0) continue;
-    glUseProgram(paints[p].name());
+    if (part.commands == 0) return;
+    glUseProgram((whole ? paints : fading)[p].name());
     glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(commands.offset),
                                 static_cast<GLsizei>(part.commands), 0);
+  };
+  for (const bool whole : {true, false}) {
+    if (!whole && layer.fading == 0) continue;
+    glBindVertexArray((whole ? meshes.array() : meshes.fading_array()).name());
+    for (std::size_t p = 0; p < kPaints; ++p)
+      if (layer.painted[p]) draw(p, whole);
   }
   return drawn;
 }

@@ -49,11 +49,12 @@ std::vector<gl::DrawCommand> commands_of(const LayerTable& table, const LayerPie
   for (const culling::ObjectRun& run : runs)
     for (std::uint32_t object = run.first; object < run.last; ++object)
       layer.for_each(table, {object, object + 1}, [&](std::uint32_t piece, const culling::ObjectRun& rows) {
-        if (!layer.held[piece]) return;
+        const auto& held = layer.held[layer.shown[piece].item];
+        if (!held) return;
         const std::uint32_t before = layer.pieces[piece].rows.first;
-        for (const auto& first : layer.held[piece]->first) {
+        for (const auto& first : held->first) {
           const std::uint32_t begin = first[rows.first - before], end = first[rows.last - before];
-          const auto base = static_cast<GLint>(layer.held[piece]->vertices_at);
+          const auto base = static_cast<GLint>(held->vertices_at);
           if (begin < end) commands.push_back({end - begin, 1, begin, base, object + 1});
         }
       });

@@ -59,6 +59,7 @@ struct Renderer::State {
         rows(scene.blocks.size()),
         meshes(scene),
         paints(make_paint_programs(!scene.photo.empty())),
+        fading(meshes.buildings.has_levels() ? make_fading_programs() : PaintPrograms{}),
         trees(scene, plants,
               asked.tree_law == foliage::Law::full ? limits_for_all(scene, plants) : foliage::ExtractLimits{}),
         cars(scene.traffic.cars()),
@@ -81,7 +82,8 @@ struct Renderer::State {
   BlockFrame anchor;
   std::vector<Rows> rows;  ///< of visible blocks
   CityMeshes meshes;
-  PaintPrograms paints;
+  MeshDetail mesh_detail;  ///< of the last picture
+  PaintPrograms paints, fading;
   TreeLayerGpu trees;
   CarLayerGpu cars;
   gl::Program car_shadows;
@@ -157,7 +159,7 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
   glEnable(GL_CULL_FACE);
   if (layers.buildings) {
     counts.buildings = count(scene.buildings.table, sets.objects());
-    add(counts, draw_city(meshes, scene.buildings.table, meshes.buildings, paints, sets.objects(), stream));
+    add(counts, draw_city(meshes, scene.buildings.table, meshes.buildings, paints, fading, sets.objects(), stream));
   }
   if (layers.cars) {
     counts.cars = sets.cars.size();
@@ -174,7 +176,7 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
   bind_photo();
   if (layers.surfaces) {
     counts.surfaces = count(scene.surfaces.table, sets.objects());
-    add(counts, draw_city(meshes, scene.surfaces.table, meshes.surfaces, paints, sets.objects(), stream));
+    add(counts, draw_city(meshes, scene.surfaces.table, meshes.surfaces, paints, fading, sets.objects(), stream));
   }
   if (layers.surfaces) {
     if (layers.trees) add(counts, draw_tree_shadows(trees));
@@ -199,7 +201,7 @@ std::size_t Renderer::bring(const Scene& scene, const VisibleSets& sets, std::si
     const std::size_t others = now.sum() - now.meshes;
     state_->meshes.limit(state_->gpu_bytes > others ? state_->gpu_bytes - others : 1);
   }
-  return state_->meshes.bring(scene, sets.objects(), most_bytes);
+  return state_->meshes.bring(scene, sets.objects(), state_->mesh_detail, most_bytes);
 }
 
 DeviceMemory Renderer::memory() const {
@@ -248,6 +250,9 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
   const double error_px = options.tree_error_px > 0 ? options.tree_error_px : s.quality.tree_error_px;
   count_cars(sets.cars, camera.eye, f_px / error_px, s.cars.selection);
 
+  const foliage::Law law = options.tree_law.value_or(s.quality.tree_law);
+  s.mesh_detail = {camera.eye, law == foliage::Law::full ? 0 : error_px / f_px};
+
   FrameCounts counts;
   const std::size_t held = s.meshes.held_bytes();
   counts.bytes_to_bring = bring(scene, sets, options.upload_bytes);
@@ -261,7 +266,6 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
   s.upload_frame(sets, frame);
   s.upload_photo(scene.photo, camera.eye);
   if (options.layers.trees) {
-    const foliage::Law law = options.tree_law.value_or(s.quality.tree_law);
     constexpr double kSmallestShadow = 0.0035;  // of half the picture's height: shadow_tree.vert
     const bool mosaics = options.mosaics && law == foliage::Law::ours;
     const TreeDetail detail{.law = law,

@@ -29,7 +29,7 @@ namespace manzana::draw {
 struct Quality {
   std::string name = "balanced";
   int samples = 4;           ///< 1: no multisampling; at most what the device has
-  double tree_error_px = 1;  ///< in cars, too
+  double tree_error_px = 1;  ///< in cars and levels of buildings, too
   foliage::Law tree_law = foliage::Law::ours;
 };
 Quality quality_for(std::string_view renderer);  ///< balanced; of software renderers fast, with one sample
@@ -43,7 +43,7 @@ struct Layers {
 struct DrawOptions {
   Layers layers;
   Vec3d sun{0.45, -0.55, 0.70};  ///< towards the sun, in L; need not be of unit length; the lower, the redder
-  double tree_error_px = 0;      ///< what is smaller may be wrong, in cars, too; 0: what the quality says
+  double tree_error_px = 0;      ///< what is smaller may be wrong, in cars and buildings, too; 0: what the quality says
   double tree_vertices = 0;      ///< at most so many in all trees: the error grows until they suffice; 0: no limit
   std::optional<foliage::Law> tree_law = {};  ///< none: the quality's
   bool trees_by_node = false;    ///< each visible node dispatches its own extraction: same picture, for comparison

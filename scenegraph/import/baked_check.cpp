@@ -102,14 +102,17 @@ void check_table(const Scene& scene, const LayerTable& table) {
 }
 
 /// No vertex is of two objects: an object's indices lie together.
-void check_layer(const Scene& scene, const MeshLayer& layer) {
-  check_table(scene, layer.table);
-  need(is_prefix(layer.index_first, layer.table.size(), layer.mesh.indices.size()), "a layer's indices");
+void check_rows(const Scene& scene, const MeshRows& layer, std::size_t rows) {
+  need(is_prefix(layer.index_first, rows, layer.mesh.indices.size()), "a layer's indices");
   need(layer.mesh.indices.size() % 3 == 0, "a layer's triangles");
   need(std::ranges::all_of(layer.index_first, [](std::uint32_t i) { return i % 3 == 0; }), "an object's triangles");
   for_each_part(layer.mesh.indices, [&](auto part) { need(all_below(part, layer.mesh.vertices.size()), "an index"); });
   const auto bad = [&](const CityVertex& v) { return v.block >= scene.blocks.size(); };
   for_each_part(layer.mesh.vertices, [&](auto part) { need(std::ranges::none_of(part, bad), "a vertex's block"); });
+}
+void check_layer(const Scene& scene, const MeshLayer& layer) {
+  check_table(scene, layer.table);
+  check_rows(scene, layer, layer.table.size());
 }
 
 void check_trees(const Scene& scene) {
@@ -169,6 +172,7 @@ void check_scene(const Scene& scene) {
   TreeCheck(scene.tree).run();
   check_blocks(scene);
   check_layer(scene, scene.buildings);
+  for (const MeshRows& level : scene.buildings.levels) check_rows(scene, level, scene.buildings.table.size());
   check_layer(scene, scene.surfaces);
   check_trees(scene);
   check_traffic(scene);

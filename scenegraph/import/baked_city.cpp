@@ -68,6 +68,9 @@ void each_column(AnyScene& scene, Visit&& visit) {
   auto& said = scene.attributes;
   visit(30, said.text), visit(31, said.pairs), visit(32, said.row_last), visit(33, said.row_of_object);
   visit(34, scene.attribution), visit(35, scene.trees.leeway);
+  id = 36;
+  for (auto& level : scene.buildings.levels)  // surfaces have none
+    visit(id++, level.index_first), visit(id++, level.mesh.vertices), visit(id++, level.mesh.indices);
 }
 
 std::uint64_t checksum_of(std::string_view bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }

@@ -16,7 +16,7 @@
 
 namespace manzana {
 
-inline constexpr std::uint32_t kBakedVersion = 1;
+inline constexpr std::uint32_t kBakedVersion = 2;
 
 bool is_baked(const std::filesystem::path& file);  ///< by its name
 

@@ -10,6 +10,7 @@
 #include "culling/hash.h"
 #include "scenegraph/import/blocks.h"
 #include "scenegraph/import/build_traffic.h"
+#include "scenegraph/import/building_levels.h"
 #include "scenegraph/import/geos.h"
 #include "scenegraph/import/import.h"
 #include "scenegraph/import/layers.h"
@@ -135,7 +136,8 @@ class Builder {
       if (i < f_.buildings.size())
         append_building(object.mesh, site, f_.buildings[i], issues[i]);
       else
-        append_construction(object.mesh, site, f_.constructions[own], issues[i]);
+        append_construction(object.mesh, site, f_.constructions[own], issues[i]),
+            object.levels = levels_of(object.mesh);
       object.kind = building_class(height_of(object.mesh));
       object.box = bounds(object.mesh, frames_[object.block]);
     });

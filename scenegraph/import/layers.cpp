@@ -15,18 +15,22 @@ using culling::BoxD;
 // A float scaled by (r, r, h) on the GPU may come out some units in the last place larger.
 constexpr double kTreeSlack = 1 + 1e-5;
 
-void append(MeshLayer& layer, const MeshObject& object) {
-  const std::size_t base = layer.mesh.vertices.size();
-  if (base + object.mesh.vertices.size() > std::numeric_limits<std::uint32_t>::max() ||
-      layer.mesh.indices.size() + object.mesh.indices.size() > std::numeric_limits<std::uint32_t>::max())
+void append(MeshRows& rows, const CityMesh& mesh, std::uint32_t block) {
+  const std::size_t base = rows.mesh.vertices.size();
+  if (base + mesh.vertices.size() > std::numeric_limits<std::uint32_t>::max() ||
+      rows.mesh.indices.size() + mesh.indices.size() > std::numeric_limits<std::uint32_t>::max())
     throw std::runtime_error("more than 2^32 vertices or indices in one layer");
-  for (CityVertex v : object.mesh.vertices) {
-    v.block = object.block;
-    layer.mesh.vertices.own().push_back(v);
+  for (CityVertex v : mesh.vertices) {
+    v.block = block;
+    rows.mesh.vertices.own().push_back(v);
   }
-  for (const std::uint32_t i : object.mesh.indices)
-    layer.mesh.indices.own().push_back(static_cast<std::uint32_t>(base) + i);
-  layer.index_first.push_back(static_cast<std::uint32_t>(layer.mesh.indices.size()));
+  for (const std::uint32_t i : mesh.indices) rows.mesh.indices.own().push_back(static_cast<std::uint32_t>(base) + i);
+  rows.index_first.push_back(static_cast<std::uint32_t>(rows.mesh.indices.size()));
+}
+
+void append(MeshLayer& layer, const MeshObject& object) {
+  append(layer, object.mesh, object.block);
+  for (std::size_t l = 0; l < kMeshLevels; ++l) append(layer.levels[l], object.levels[l], object.block);
 }
 
 }  // namespace
@@ -74,9 +78,10 @@ MeshLayer make_layer(LayerTable table, std::span<const std::uint32_t> numbers, s
   MeshLayer layer;
   layer.table = std::move(table);
   layer.index_first.push_back(0);
+  for (MeshRows& level : layer.levels) level.index_first.push_back(0);
   for (const std::uint32_t number : numbers) {
     append(layer, objects[number - from]);
-    objects[number - from].mesh = {};
+    objects[number - from].mesh = {}, objects[number - from].levels = {};
   }
   return layer;
 }

@@ -11,6 +11,7 @@ namespace manzana {
 /// An object on its way into a MeshLayer: mesh in its block's frame, box in L; an empty mesh has an empty box.
 struct MeshObject {
   CityMesh mesh;
+  std::array<CityMesh, kMeshLevels> levels;
   culling::BoxD box;
   std::uint32_t block = 0;
   std::uint32_t attributes = 0;  ///< row

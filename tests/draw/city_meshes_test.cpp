@@ -101,7 +101,7 @@ TEST_CASE("commands draw what is held of the runs and what is not held waits") {
       runs.push_back({at, end});
       at = end + below(90);
     }
-    const std::size_t left = meshes.bring(scene, runs, round == 0 ? 0 : std::size_t{1} << 30);
+    const std::size_t left = meshes.bring(scene, runs, {}, round == 0 ? 0 : std::size_t{1} << 30);
     std::vector<gl::DrawCommand> commands(most_commands(meshes.buildings, runs.size()));
     std::uint64_t drawn = 0;
     for (std::size_t p = 0; p < kPaints; ++p)

@@ -4,22 +4,9 @@ layout(location = 2) flat in vec4 base;
 layout(location = 3) flat in float share;
 layout(location = 0) out vec4 colour;
 
-// Between two levels each sample of a pixel shows one of them: below 0 those that the other instance leaves.
-// [numerics 13.4; Jimenez 2014, interleaved gradient noise]
-void keep_share() {
-  float number = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-  int samples = max(gl_NumSamples, 1), mask = 0;
-  for (int s = 0; s < samples; ++s) {
-    float part = fract(number + float(s) / float(samples));
-    if (share > 0.0 ? part < share : part >= -share) mask |= 1 << s;
-  }
-  if (mask == 0) discard;
-  gl_SampleMask[0] = mask;
-}
-
 void main() {
   gl_SampleMask[0] = ~0;
-  if (share < 1.0) keep_share();
+  if (share < 1.0) keep_share(share);
   vec3 n = normalize(smooth_normal);
   vec3 d = normalize(rel);
   float miss = 1.0 - clamp(-dot(d, n), 0.0, 1.0);

@@ -3,6 +3,7 @@ layout(location = 1) in vec4 normal;
 layout(location = 2) in uint colour;  // sRGB, material in the top byte
 layout(location = 3) in vec2 uv;
 layout(location = 4) in uint block;  // lanes of the street in the top byte
+layout(location = 5) in float share;  // only of what fades
 
 layout(std430, binding = 1) readonly buffer Blocks { vec4 rows[]; };
 
@@ -12,6 +13,7 @@ layout(location = 2) out vec2 out_uv;
 layout(location = 3) out vec3 out_place;
 layout(location = 4) flat out vec3 out_albedo;
 layout(location = 5) flat out uvec2 out_kind;  // material, seed; streets: material, lanes
+layout(location = 6) flat out float out_share;
 
 void main() {
   uint at = 3u * (block & 0xffffffu);
@@ -20,6 +22,7 @@ void main() {
   out_rel = vec3(dot(rx, p), dot(ry, p), dot(rz, p));
   out_normal = vec3(dot(rx.xyz, normal.xyz), dot(ry.xyz, normal.xyz), dot(rz.xyz, normal.xyz));
   out_uv = uv;
+  out_share = share;
   out_place = position;
   vec3 s = vec3(colour & 255u, colour >> 8 & 255u, colour >> 16 & 255u) * (1.0 / 255.0);
   out_albedo = from_srgb(s);

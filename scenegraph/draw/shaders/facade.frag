@@ -6,6 +6,7 @@ const vec3 kCurtain = vec3(0.55, 0.52, 0.46);
 float box(vec2 f, vec2 w, vec4 r) { return cover(f.x, w.x, r.x, r.z) * cover(f.y, w.y, r.y, r.w); }
 
 void main() {
+  keep_own_share();
   vec3 n = normalize(smooth_normal);
   vec2 w = max(fwidth(uv), 1e-5);
   float flat_wall = (uv.x == 0.0 && uv.y == 0.0) ? 1.0 : 0.0;

@@ -2,6 +2,7 @@
 const uint kPavement = 4u, kPath = 5u, kFarmland = 9u;
 
 void main() {
+  keep_own_share();
   vec3 n = normalize(smooth_normal);
   vec2 p = place.xy;
   float pixel = max(fwidth(p.x), fwidth(p.y));

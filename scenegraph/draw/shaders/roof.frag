@@ -1,5 +1,6 @@
 // Roofs: rows of tiles on a slope, gravel on the flat; uv in metres along the eaves and up the slope.
 void main() {
+  keep_own_share();
   vec3 n = normalize(smooth_normal);
   vec2 w = max(fwidth(uv), 1e-5);
   float sloped = 1.0 - smoothstep(0.97, 0.995, dot(n, frame.up.xyz));

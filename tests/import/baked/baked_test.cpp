@@ -17,7 +17,15 @@ using namespace manzana;
 namespace {
 
 const Imported& village() {
-  static const Imported city = import_city(MANZANA_VILLAGE, {.cars = 60, .attributes = true}, {});
+  static const Imported city = [] {
+    Imported made = import_city(MANZANA_VILLAGE, {.cars = 60, .attributes = true}, {});
+    MeshRows& level = made.scene.buildings.levels[1];  // of its last building: one triangle
+    level.index_first.back() = 3;
+    level.mesh.indices.own() = {0, 1, 2};
+    const auto all = made.scene.buildings.mesh.vertices.items();
+    level.mesh.vertices.own().assign(all.end() - 3, all.end());
+    return made;
+  }();
   return city;
 }
 const std::string& baked_village() {
@@ -70,6 +78,8 @@ TEST_CASE("baked: the same city comes back") {
   CHECK(std::memcmp(a.tree.nodes.data(), b.tree.nodes.data(), a.tree.nodes.size() * sizeof(a.tree.nodes[0])) == 0);
   CHECK(a.frame.anchor().lat_deg == b.frame.anchor().lat_deg);
   CHECK(a.buildings.mesh.indices == b.buildings.mesh.indices);
+  CHECK(a.buildings.levels[1].mesh.indices == b.buildings.levels[1].mesh.indices);
+  CHECK(a.buildings.levels[1].index_first == b.buildings.levels[1].index_first);
   CHECK(a.traffic.offsets == b.traffic.offsets);
   CHECK(a.attributes.text == b.attributes.text);
   CHECK(a.attribution == b.attribution);
@@ -122,7 +132,7 @@ TEST_CASE("baked: one wrong bit anywhere is told") {
     CHECK_FALSE(fault(bytes).empty());
   };
   const std::size_t n = baked::sections(good);
-  REQUIRE(n == 35);
+  REQUIRE(n == 44);
   for (std::size_t place = 0; place < baked::kHeader + n * baked::kSection; ++place) check(place);
   for (std::size_t i = 0; i < n; ++i) {
     const baked::Place section = baked::section(good, i);
@@ -140,7 +150,7 @@ TEST_CASE("baked: what is cut off or comes after is told and so is an older file
   CHECK_FALSE(fault(good + "x").empty());
   std::string older = good;
   baked::put<std::uint32_t>(older, 8, 0);
-  CHECK(fault(older) == "x.manzana: is of version 0, this program reads version 1; bake it again");
+  CHECK(fault(older) == "x.manzana: is of version 0, this program reads version 2; bake it again");
   CHECK(fault("<osm version='0.6'></osm>") == "x.manzana: is no baked city");
   std::string other = good;
   baked::put<std::uint32_t>(other, 12, 0x04030201);

@@ -1,0 +1,2 @@
+// Of what is of one level.
+void keep_own_share() {}
