@@ -34,6 +34,7 @@ class WholeFolder {
       throw std::runtime_error(folder_.string() + ": is there already, and not empty");
     part_ = folder_;
     part_ += ".part" + std::to_string(getpid());
+    std::filesystem::remove_all(part_, error);  // of one of that number who was killed
     files::make_folder(part_);
   }
   ~WholeFolder() {

@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "foliage/leaf_image.h"
 #include "scenegraph/earth_centred.h"
 #include "scenegraph/export/tile_content.h"
+#include "scenegraph/export/tile_tree.h"
 #include "scenegraph/import/scene_plants.h"
 #include "tests/export/tile_checker.h"
 #include "tests/support/data.h"
@@ -245,6 +247,29 @@ TEST_CASE("tiles: what stops on the way leaves nothing") {
   };
   CHECK_THROWS_WITH(write_tiles(city.scene, plants_of(city.scene), folder.path() / "tiles", stop), "enough");
   CHECK(files_in(folder.path()) == 0);
+}
+
+TEST_CASE("tiles: what somebody of the same number left does not come into the folder") {
+  const TemporaryFolder folder;
+  const Imported city = import_city(MANZANA_VILLAGE, {.cars = 0}, {});
+  const auto left = folder.path() / ("tiles.part" + std::to_string(getpid()));
+  std::filesystem::create_directories(left / "tiles");
+  std::ofstream(left / "tiles" / "old.glb") << "old";
+  write_tiles(city.scene, plants_of(city.scene), folder.path() / "tiles");
+  CHECK(files_in(folder.path()) == 1);
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "tiles" / "tiles" / "old.glb"));
+}
+
+TEST_CASE("tiles: buildings have the colours of their materials and textures") {
+  const auto file = data_file("tiny/denhaag-subset.city.json");
+  if (!file) return;
+  const Imported city = import_city(file->string(), {}, {});
+  const auto maroon = [](const auto& v) { return glm::distance(v.colour, foliage::linear_of_rgb(0x800000)) < 1e-3F; };
+  std::size_t found = 0;
+  for (const Tile& tile : tile_tree(city.scene))
+    found += static_cast<std::size_t>(
+        std::ranges::count_if(tile_content(city.scene, tile, plants_of(city.scene)).buildings_mesh.vertices, maroon));
+  CHECK(found > 10);
 }
 
 TEST_CASE("tiles: Helsinki of OpenStreetMap") { check_real("osm/helsinki-centre.osm.pbf"); }
