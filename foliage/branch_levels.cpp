@@ -71,7 +71,7 @@ class Builder {
             {a.position, a.radius, b.position, b.radius, shape.visibility, plant_.branches[row].level, row});
       }
     }
-    first_lines_.push_back(size_of(ready_.lines));
+    first_lines_.insert(first_lines_.end(), 2, size_of(ready_.lines));
   }
 
   float widest_line(std::uint32_t first) const {

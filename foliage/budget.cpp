@@ -17,6 +17,14 @@ double mean_visibility(const PlantTable& table, const PlantHead& plant) {
   return sum / (255 * static_cast<double>(n));
 }
 
+/// Between two levels.
+double leaf_line_quads(const PlantTable& table, const PlantHead& plant, const Detail& d) {
+  const auto fine = static_cast<std::uint32_t>(d.line_level);
+  const double from = leaf_lines(table, plant, fine), to = leaf_lines(table, plant, fine + 1);
+  return static_cast<double>(d.to_lines) * (1 - static_cast<double>(d.to_points)) *
+         std::lerp(from, to, static_cast<double>(d.line_level) - fine);
+}
+
 /// The mesh and the lines of a level, as the shader's branch_step() has them.
 double branch_quads(const PlantTable& table, const PlantHead& plant, const Detail& d) {
   if (plant.bark_levels == 0) return 0;
@@ -158,9 +166,11 @@ CostTable make_costs(const PlantTable& table) {
       const Detail& d = table.details[i * glsl::kDetailSteps + row];
       const auto points = static_cast<double>(d.to_points);
       const double seen = std::lerp(1.0, visible, static_cast<double>(d.hidden));
-      const double leaves = quads * seen * static_cast<double>(d.share) * (1 - points);
+      const double leaves =
+          quads * seen * static_cast<double>(d.share) * (1 - points) * (1 - static_cast<double>(d.to_lines));
       costs.vertices.push_back(
-          static_cast<float>(4 * (leaves + branch_quads(table, plant, d)) + static_cast<double>(d.points) * points));
+          static_cast<float>(4 * (leaves + branch_quads(table, plant, d) + leaf_line_quads(table, plant, d)) +
+                             static_cast<double>(d.points) * points));
     }
   }
   costs.lists = make_list_bounds(table);

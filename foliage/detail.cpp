@@ -52,8 +52,10 @@ LawMeasures measure_for_laws(const PreparedPlant& plant) {
   for (const PlantQuad& quad : plant.leaves) m.quad_m += quad_area(quad);
   if (!plant.leaves.empty()) m.quad_m = std::sqrt(m.quad_m / static_cast<double>(plant.leaves.size()));
   for (const BranchLevel& level : plant.branch_levels) m.widths_m.push_back(static_cast<double>(level.error_m));
+  m.thin = leaf_line_size(plant);
   float widest = 0;
-  for (const LineSegment& line : plant.lines) widest = std::max({widest, line.radius_a, line.radius_b});
+  for (const LineSegment& line : plant.lines)
+    if (line.branch != kOfLeaf) widest = std::max({widest, line.radius_a, line.radius_b});
   m.widths_m.push_back(2 * static_cast<double>(widest));
   return m;
 }

@@ -71,6 +71,12 @@ double share_of_points(const PreparedPlant& plant, const Detail& d, double quad_
          std::clamp((kManyPoints - many) / (kManyPoints - kFewPoints), 0.0, 1.0);
 }
 
+/// Leaves likewise, where they are thin.
+double share_of_lines(const LawMeasures& m, double error_m) {
+  if (m.thin.width_m <= 0) return 0;
+  return std::clamp((kThickest - m.thin.width_m / error_m) / (kThickest - kThinnest), 0.0, 1.0);
+}
+
 /// Meshes give way to lines where those are thin, one branch after the other.
 double mesh_level(const LawMeasures& m, double error_m) {
   double level = 0;
@@ -112,7 +118,9 @@ Detail show_ours(const PreparedPlant& plant, const LawMeasures& m, double error_
   const double scale = m.quad_m > 0 ? std::max(1.0, kLeastQuad * error_m / m.quad_m) : 1;
   set_leaves(d, share_for_scale(plant.leaf_scale, scale), scale);
   set_points(d, plant, error_m);
-  d.to_points = static_cast<float>(share_of_points(plant, d, m.quad_m / error_m));
+  d.to_lines = static_cast<float>(share_of_lines(m, error_m));
+  const double side_m = m.thin.length_m > 0 ? m.thin.length_m : m.quad_m;
+  d.to_points = static_cast<float>(share_of_points(plant, d, side_m / error_m));
   d.bark = static_cast<float>(mesh_level(m, error_m));
   set_lines(d, plant, error_m);
   return d;

@@ -1,5 +1,6 @@
 #pragma once
 /// One row of a plant's table of details, by each law (foliage/detail.h).
+#include "foliage/leaf_lines.h"
 #include "foliage/select.h"
 
 namespace manzana::foliage {
@@ -8,7 +9,8 @@ namespace manzana::foliage {
 struct LawMeasures {
   double quad_m = 0;  ///< side of a mean leaf quad; 0 without leaves
   std::vector<double>
-      widths_m;  ///< of the widest line where the mesh is that of a level; the last: where there is none
+      widths_m;       ///< of the widest line where the mesh is that of a level; the last: where there is none
+  LeafLineSize thin;  ///< of leaves that may be lines
 };
 LawMeasures measure_for_laws(const PreparedPlant& plant);
 

@@ -6,6 +6,7 @@
 
 #include "foliage/fill_colour.h"
 #include "foliage/leaf_form.h"
+#include "foliage/leaf_lines.h"
 #include "foliage/leaf_points.h"
 #include "foliage/leaf_scale.h"
 #include "foliage/obb_cells.h"
@@ -162,11 +163,26 @@ class LeafCloud {
       for (const PlantQuad& quad : quads) all += quad_area(quad), thin += forms.back().thin() ? quad_area(quad) : 0;
     }
     if (2 * thin <= all) return;
-    for (const std::uint32_t quad : ready_.shuffled) {
+    std::vector<LineSegment> lines;
+    for (const std::uint32_t quad : last_kept_first()) {
       const PlantQuad& of = ready_.leaves[quad];
-      ready_.leaf_lines.push_back(leaf_line(of, forms[leaf_of_[quad]].axis, alpha_of(std::span(&of, 1))));
-      ready_.leaf_lines.back().colour = colour_of(of);
+      lines.push_back(leaf_line(of, forms[leaf_of_[quad]].axis, alpha_of(std::span(&of, 1))));
+      lines.back().colour = colour_of(of);
     }
+    add_leaf_lines(lines, ready_);
+  }
+
+  /// Quads by turns from all cells, those first that cells are the first to lose: so no leaf is both, on the way from
+  /// quads to lines.
+  std::vector<std::uint32_t> last_kept_first() const {
+    std::vector<std::pair<double, std::uint32_t>> ranked;
+    for (const LeafCell& cell : ready_.cells)
+      for (std::uint32_t q = cell.quads.first; q < cell.quads.last; ++q)
+        ranked.emplace_back((cell.quads.last - q - 0.5) / cell.quads.size(), q);
+    std::sort(ranked.begin(), ranked.end());
+    std::vector<std::uint32_t> order;
+    for (const auto& [rank, quad] : ranked) order.push_back(quad);
+    return order;
   }
 
   double leaf_area(const PlantQuad& quad) {

@@ -47,7 +47,6 @@ LeafForm leaf_form(std::span<const PlantQuad> quads, double alpha) {
 
 /// Between the two opposite sides that lie farther apart along the axis.
 LineSegment leaf_line(const PlantQuad& quad, const Vec3d& axis, double alpha) {
-  constexpr double kMeanWidth = 0.6366197723675814;  // 2 / pi
   std::array<End, 2> best{side(quad, 0), side(quad, 2)}, other{side(quad, 1), side(quad, 3)};
   const auto reach = [&](const std::array<End, 2>& ends) {
     return std::abs(glm::dot(ends[1].middle - ends[0].middle, axis));
@@ -56,10 +55,11 @@ LineSegment leaf_line(const PlantQuad& quad, const Vec3d& axis, double alpha) {
   LineSegment line{};
   line.a = Vec3(best[0].middle);
   line.b = Vec3(best[1].middle);
-  line.radius_a = static_cast<float>(0.5 * kMeanWidth * alpha * best[0].width);
-  line.radius_b = static_cast<float>(0.5 * kMeanWidth * alpha * best[1].width);
+  line.radius_a = static_cast<float>(0.5 * alpha * best[0].width);
+  line.radius_b = static_cast<float>(0.5 * alpha * best[1].width);
   line.shade = static_cast<float>(quad.shades[0]) / 255;
-  line.level = quad.normals[0] >> 30;
+  line.level = quad.normals[0];
+  line.branch = kOfLeaf;
   return line;
 }
 

@@ -18,8 +18,7 @@ struct LeafForm {
 /// is not a line. Throws as fit_box() does.
 LeafForm leaf_form(std::span<const PlantQuad> quads, double alpha);
 
-/// A quad of a thin leaf as a ribbon along `axis`, as wide as it looks on average from all around: 2 / pi of its width,
-/// times alpha.
+/// A quad of a thin leaf as a ribbon along `axis`, as wide as it is, times alpha; plant_lines.vert turns it.
 LineSegment leaf_line(const PlantQuad& quad, const Vec3d& axis, double alpha);
 
 }  // namespace manzana::foliage

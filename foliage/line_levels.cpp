@@ -7,8 +7,8 @@
 namespace manzana::foliage {
 namespace {
 
-constexpr int kFinest = -6, kCoarsest = 3;         // powers of two times the widest branch
-constexpr float kPlace = 0.25F, kThin = 1.0F / 3;  // of the error
+constexpr int kFinest = -6, kCoarsest = 3;  // powers of two times the widest branch
+constexpr float kPlace = 0.25F;             // of the error
 
 struct Extent {
   double area = 0, length = 0;
@@ -41,7 +41,7 @@ class Level {
     ready_.line_firsts.push_back(size());
     const Extent all = extent_of(shape.line);
     if (!(all.area > 0)) return;
-    const double share = std::min(1.0, all.area / all.length / static_cast<double>(kThin * error_m_));
+    const double share = std::min(1.0, all.area / all.length / static_cast<double>(kThinLine * error_m_));
     area_ += all.area;
     const double before = std::floor(sum_);
     if (std::floor(sum_ += share) == before) return;
@@ -61,7 +61,7 @@ class Level {
     const auto wider = static_cast<float>(shown_ > 0 ? area_ / shown_ : 1);
     for (LineSegment& line : std::span(ready_.coarse_lines).subspan(first))
       line.radius_a *= wider, line.radius_b *= wider;
-    ready_.line_firsts.push_back(size());
+    ready_.line_firsts.insert(ready_.line_firsts.end(), 2, size());  // no leaves' yet
   }
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(ready_.coarse_lines.size()); }
@@ -74,13 +74,18 @@ class Level {
 
 }  // namespace
 
+std::vector<float> line_level_errors(float widest_m) {
+  std::vector<float> errors;
+  for (int power = kFinest; power <= kCoarsest; ++power) errors.push_back(std::ldexp(widest_m, power));
+  return errors;
+}
+
 void add_line_levels(const Plant& plant, std::span<const BranchShape> shapes, std::span<const std::uint32_t> order,
                      PreparedPlant& ready) {
   float widest = 0;
   for (const BranchShape& shape : shapes) widest = std::max(widest, shape.width_m);
   if (!(widest > 0)) return;
-  for (int power = kFinest; power <= kCoarsest; ++power) {
-    const float error_m = std::ldexp(widest, power);
+  for (const float error_m : line_level_errors(widest)) {
     Level level(error_m, ready);
     const std::uint32_t first = level.size();
     for (const std::uint32_t row : order) level.add(shapes[row], row, plant.branches[row].level);

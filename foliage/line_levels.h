@@ -9,6 +9,11 @@
 
 namespace manzana::foliage {
 
+constexpr float kThinLine = 1.0F / 3;  ///< of an error: lines that are thinner become fewer and so wide
+
+/// Of ten levels, each twice the one before: from 1/64 to 8 times so much.
+std::vector<float> line_level_errors(float widest_m);
+
 /// Fills line_levels, coarse_lines and, after the rows of the finest lines, line_firsts. `shapes`: of the plant's
 /// branches; `order`: theirs in lines and meshes. Ten levels, of an error e that doubles, from 1/64 of the widest
 /// branch to 8 times that:

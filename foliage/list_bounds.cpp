@@ -34,21 +34,25 @@ struct BranchSteps {
   }
 };
 
-/// Of the levels that these details may choose, one more by chance.
+/// Of the levels that these details may choose, one more by chance. Where leaves' are shown, branches' are all.
 double most_lines(const PlantTable& table, const PlantHead& plant, const Detail& a, const Detail& b,
                   std::uint32_t branches) {
   const auto [low, high] = std::minmax({a.line_level, b.line_level});
-  const std::uint32_t coarsest = plant.line_levels - 1;
-  std::uint32_t most = 0;
+  const std::uint32_t coarsest = std::max(plant.line_levels, 1U) - 1;
+  const auto share = static_cast<double>(std::max(a.lines, b.lines)),
+             turned = static_cast<double>(std::max(a.to_lines, b.to_lines)) *
+                      (1 - static_cast<double>(std::min(a.to_points, b.to_points)));
+  double most = 0;
   for (auto l = std::min(static_cast<std::uint32_t>(low), coarsest);
        l <= std::min(static_cast<std::uint32_t>(high) + 1, coarsest); ++l)
-    most = std::max(most, lines_from(table, plant, l, branches));
-  return most * static_cast<double>(std::max(a.lines, b.lines));
+    most = std::max(most, lines_from(table, plant, l, branches) * (turned > 0 ? 1 : share) +
+                              leaf_lines(table, plant, l) * turned * (1 + kSlack));
+  return most;
 }
 
 ListSizes branches_between(const PlantTable& table, const PlantHead& plant, const BranchSteps& branches,
                            const Detail& a, const Detail& b) {
-  if (branches.steps.empty()) return ListSizes(0);
+  if (branches.steps.empty()) return {0, 0, groups(most_lines(table, plant, a, b, 0), glsl::kLineGroup), 0};
   const auto [from, to] = std::minmax({branches.at(a.bark), branches.at(b.bark)});
   std::uint32_t quads = 0, meshes = ~0U;
   for (std::size_t i = from; i <= to; ++i) {
@@ -90,7 +94,8 @@ void add_leaves(const Detail* rows, double* share, double* quads) {
   double most_share = 0, most_quads = 0;
   for (std::size_t row = glsl::kDetailSteps; row-- > 0;) {
     share[row] = most_share = std::max(most_share, static_cast<double>(rows[row].share));
-    quads[row] = most_quads = std::max(most_quads, 1 - static_cast<double>(rows[row].to_points));
+    quads[row] = most_quads =
+        std::max(most_quads, 1 - static_cast<double>(std::max(rows[row].to_points, rows[row].to_lines)));
   }
 }
 

@@ -29,11 +29,11 @@ void set_size(const PreparedPlant& plant, PlantHead& head) {
 /// The finest lines stand before the coarse ones.
 void add_lines(const PreparedPlant& plant, PlantHead& head, std::vector<glm::uvec2>& steps) {
   const std::uint32_t fine = size_of(plant.lines);
-  head.line_levels = 1 + size_of(plant.line_levels);
+  head.line_levels = plant.line_firsts.empty() ? 0 : 1 + size_of(plant.line_levels);
   head.branches = plant.branch_levels.empty() ? 0 : plant.branch_levels.front().branches;
   head.first_line_row = size_of(steps);
   for (std::size_t i = 0; i < plant.line_firsts.size(); ++i)
-    steps.emplace_back(plant.line_firsts[i] + (i <= head.branches ? 0 : fine), 0);
+    steps.emplace_back(plant.line_firsts[i] + (i <= head.branches + 1 ? 0 : fine), 0);
 }
 
 void add_branches(const PreparedPlant& plant, PlantHead& head, std::vector<glm::uvec2>& steps) {
@@ -100,8 +100,15 @@ std::uint32_t leaf_quads(const PlantTable& table, const PlantHead& plant) {
 }
 
 std::uint32_t lines_from(const PlantTable& table, const PlantHead& plant, std::uint32_t level, std::uint32_t branch) {
-  const std::uint32_t row = plant.first_line_row + std::min(level, plant.line_levels - 1) * (plant.branches + 1);
+  if (plant.line_levels == 0) return 0;
+  const std::uint32_t row = plant.first_line_row + std::min(level, plant.line_levels - 1) * (plant.branches + 2);
   return table.steps[row + plant.branches].x - table.steps[row + branch].x;
+}
+
+std::uint32_t leaf_lines(const PlantTable& table, const PlantHead& plant, std::uint32_t level) {
+  if (plant.line_levels == 0) return 0;
+  const std::uint32_t row = plant.first_line_row + std::min(level, plant.line_levels - 1) * (plant.branches + 2);
+  return table.steps[row + plant.branches + 1].x - table.steps[row + plant.branches].x;
 }
 
 }  // namespace manzana::foliage

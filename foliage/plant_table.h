@@ -45,5 +45,6 @@ std::uint32_t leaf_quads(const PlantTable& table, const PlantHead& plant);
 
 /// Of a level, those of branches from `branch` on; the coarsest level stands for those beyond it.
 std::uint32_t lines_from(const PlantTable& table, const PlantHead& plant, std::uint32_t level, std::uint32_t branch);
+std::uint32_t leaf_lines(const PlantTable& table, const PlantHead& plant, std::uint32_t level);  ///< of thin leaves
 
 }  // namespace manzana::foliage

@@ -75,8 +75,9 @@ void check_line_levels(const PreparedPlant& plant) {
     check_run("line level", i, plant.line_levels[i].lines, plant.coarse_lines.size());
     if (!sane(plant.line_levels[i].error_m)) fail("line level", i, "is not finite or out of range");
   }
-  if (plant.branch_levels.empty()) return;
-  const std::size_t rows = std::size_t{plant.branch_levels.front().branches} + 1;
+  if (plant.branch_levels.empty() && plant.line_firsts.empty()) return;
+  const std::size_t branches = plant.branch_levels.empty() ? 0 : plant.branch_levels.front().branches;
+  const std::size_t rows = branches + 2;
   if (plant.line_firsts.size() != rows * (1 + plant.line_levels.size())) fail("not every branch has its first line");
   for (std::size_t i = 0; i < plant.line_firsts.size(); ++i) {
     const bool begins = i % rows == 0;
@@ -123,9 +124,6 @@ void check_points(const PreparedPlant& plant) {
   const std::size_t small = plant.leaves.size() - plant.large_quads;
   if (!plant.point_levels.empty() && plant.point_levels[0].points.size() != 4 * small + plant.large_points)
     fail("point level 0 has not four points a quad");
-  check_numbers("leaf line", plant.leaf_lines);
-  if (!plant.leaf_lines.empty() && plant.leaf_lines.size() != plant.leaves.size())
-    fail("leaf lines are not one a quad");
 }
 
 }  // namespace

@@ -40,16 +40,18 @@ struct LeafPoint {
 };
 static_assert(sizeof(LeafPoint) == 32);
 
-/// 48 bytes. A piece of a branch, drawn as a ribbon that turns to the eye.
+constexpr std::uint32_t kOfLeaf = ~0U;
+
+/// 48 bytes. A piece of a branch, or a thin leaf, drawn as a ribbon that turns to the eye.
 struct LineSegment {
   Vec3 a;
   float radius_a;
   Vec3 b;
   float radius_b;
   float shade;
-  std::uint32_t level;       ///< of its branch
-  std::uint32_t branch;      ///< its row in Plant::branches
-  std::uint32_t colour = 0;  ///< of leaf_lines, as a LeafPoint's
+  std::uint32_t level;       ///< of its branch; a leaf's normal, as PlantQuad's
+  std::uint32_t branch;      ///< its row in Plant::branches; kOfLeaf: it is a leaf's
+  std::uint32_t colour = 0;  ///< of a leaf's, as a LeafPoint's
 };
 static_assert(sizeof(LineSegment) == 48);
 
@@ -70,7 +72,8 @@ struct BranchStep {
   std::uint32_t branches;  ///< in the mesh
 };
 
-/// Lines for all branches where so much may be wrong: fewer of them, some wider. foliage/line_levels.h
+/// Lines for all branches, then for all thin leaves, where so much may be wrong: fewer of them, some wider.
+/// foliage/line_levels.h, leaf_lines.h
 struct LineLevel {
   Run lines;  ///< of PreparedPlant::coarse_lines
   float error_m = 0;
@@ -106,11 +109,13 @@ struct PreparedPlant {
   std::vector<PlantQuad> bark;
   std::vector<BranchLevel> branch_levels;  ///< finest first
   std::vector<BranchStep> branch_steps;
-  std::vector<LineSegment> lines;  ///< most important branch first; in random order those between two levels
+  std::vector<LineSegment> lines;  ///< most important branch first; in random order those between two levels; then
+                                   ///< those of thin leaves, first those that cells lose first
   std::vector<LineSegment> coarse_lines;
   std::vector<LineLevel> line_levels;      ///< finest first, each twice the error of the one before
-  std::vector<std::uint32_t> line_firsts;  ///< where the lines begin of branches [b, end): for b of 0 to all, of lines;
-                                           ///< then of coarse_lines, level by level
+  std::vector<std::uint32_t> line_firsts;  ///< where the lines begin of branches [b, end): for b of 0 to all, the last
+                                           ///< being where leaves' begin, and where these end; of lines, then of
+                                           ///< coarse_lines, level by level
 
   std::vector<PlantQuad> leaves;
   std::vector<LeafCell> cells;          ///< their runs are in order, apart, and cover all leaves
@@ -121,7 +126,6 @@ struct PreparedPlant {
   std::uint32_t large_points = 0;        ///< M: points [0, M) are spread over all large quads
   std::vector<PointLevel> point_levels;  ///< finest first; level 0: four points from M + 4 (i - L) on are of quad
                                          ///< shuffled[i], i >= L
-  std::vector<LineSegment> leaf_lines;   ///< line i is of quad shuffled[i], where leaves are thin and long; else none
   float cover_m2 = 0;                    ///< that the plant hides, seen from its sides, mean
   float leaf_area_m2 = 0;                ///< of all leaf quads, one side, times alpha
   std::array<float, 17> leaf_scale{};    ///< linear size at u = 2^(-i/2) of the leaves, fitted to coverage

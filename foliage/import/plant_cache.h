@@ -16,7 +16,7 @@
 namespace manzana::foliage {
 
 /// Of files, of what a species' seed grows to, and of what prepare() makes of a plant: raised whenever one changes.
-inline constexpr std::uint32_t kPlantFormat = 9;
+inline constexpr std::uint32_t kPlantFormat = 10;
 
 std::string encoded(const PreparedPlant& plant);
 

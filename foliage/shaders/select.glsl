@@ -116,12 +116,14 @@ Detail detail_at(uint plant, float error2) {
   d.point_gain = between(a.point_gain, b.point_gain, t);
   d.hidden = between(a.hidden, b.hidden, t);
   d.line_level = between(a.line_level, b.line_level, t);
-  d.spare = 0.0f;
+  d.to_lines = between(a.to_lines, b.to_lines, t);
   return d;
 }
 
 // Items of a tree's own cells.
-uint cells_of(TreeRecord tree, Detail d) { return d.to_points < 1.0f ? plants[tree.plant].cells : 0u; }
+uint cells_of(TreeRecord tree, Detail d) {
+  return d.to_points < 1.0f && d.to_lines < 1.0f ? plants[tree.plant].cells : 0u;
+}
 
 // floor(n + a random part of 1), at most `most`: cells and trees share remainders fairly.
 uint rounded(float n, uint hash, uint most) {
@@ -160,22 +162,32 @@ ItemPair pair_of(Item a, Item b) {
   return pair;
 }
 
+// Of the branches from this one on; then of leaves, as many of them as are neither quads nor points.
+Item line_item(TreeRecord tree, uint record, Detail d, uint branch) {
+  uint plant = tree.plant, branches = plants[plant].branches;
+  Item item = no_item(record, kLines);
+  if (plants[plant].line_levels == 0u) return item;
+  uint level = rounded(d.line_level, mixed(tree.hash + 1u), plants[plant].line_levels - 1u);
+  uint row = plants[plant].first_line_row + level * (branches + 2u), leaves = steps[row + branches].x;
+  uint first = steps[row + branch].x, last = steps[row + branches + 1u].x;
+  precise float of_branches = float(leaves - first) * d.lines;
+  precise float of_leaves = float(last - leaves) * (d.to_lines * (1.0f - d.to_points));
+  uint shown = uint(of_leaves);
+  item.first = plants[plant].first_line + first;
+  item.count = shown > 0u ? leaves - first + shown : uint(of_branches);
+  return item;
+}
+
 // Bark and lines.
 ItemPair branch_items(TreeRecord tree, uint record, Detail d) {
   uint plant = tree.plant, levels = plants[plant].bark_levels;
-  Item bark = no_item(record, kBark), lines = no_item(record, kLines);
-  if (levels == 0u) return pair_of(bark, lines);
+  Item bark = no_item(record, kBark);
+  if (levels == 0u) return pair_of(bark, line_item(tree, record, d, 0u));
   uint level = min(uint(d.bark), levels - 1u);
   uvec2 step = branch_step(plant, level, d.bark);
   bark.first = plants[plant].first_quad + plants[plant].bark[level].x;
   bark.count = step.x;
-  uint line_level = rounded(d.line_level, mixed(tree.hash + 1u), plants[plant].line_levels - 1u);
-  uint row = plants[plant].first_line_row + line_level * (plants[plant].branches + 1u);
-  uint first = steps[row + step.y].x, last = steps[row + plants[plant].branches].x;
-  precise float shown = float(last - first) * d.lines;
-  lines.first = plants[plant].first_line + first;
-  lines.count = uint(shown);
-  return pair_of(bark, lines);
+  return pair_of(bark, line_item(tree, record, d, step.y));
 }
 
 // The last points shrink away, over a part of the level that stays as wide: so each takes its time. Where details fade.
@@ -241,11 +253,12 @@ Item cell_item(TreeRecord tree, uint record, uint index) {
   Item item = no_item(record, kLeaves);
   float r2 = squared(placed(tree.row_x, tree.row_y, tree.row_z, cell.centre));
   Detail at_tree = detail_at(tree.plant, tree_error2(tree)), d = detail_at(tree.plant, error2_from(tree, r2));
-  // Where points take over, quads shrink away too.
-  precise float going = min(4.0f * at_tree.to_points, 1.0f) * kLeafFade;
+  // Where points or lines take over, quads shrink away too.
+  precise float left = (1.0f - at_tree.to_points) * (1.0f - at_tree.to_lines);
+  precise float going = min(4.0f * (1.0f - left), 1.0f) * kLeafFade;
   precise float more = d.fade < 0.0f ? 0.0f : max(going - d.fade, 0.0f);
   precise float keep =
-      d.share * visible_share(tree, index, d.hidden) * (1.0f - at_tree.to_points) * (1.0f + 0.5f * more);
+      d.share * visible_share(tree, index, d.hidden) * left * (1.0f + 0.5f * more);
   precise float shown = float(cell.count) * keep;
   uint hash = mixed(tree.hash ^ mixed(index));
   precise float edge = shown + fraction_of(hash);

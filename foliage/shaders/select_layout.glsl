@@ -33,7 +33,7 @@ struct Detail {
   float bark;       // level of the branches' mesh; its fraction: how far on the way to the next
   float hidden;       // 1: of each cell only what can be seen of it from the eye; 0: all of it
   float line_level;  // 0: the finest lines
-  float spare;
+  float to_lines;    // share of the leaf quads that are lines, where leaves are thin
 };
 
 // Of a plant's table, over the square of an error in metres: four an octave, from 2^-32 m2 to 2^16 m2.
@@ -44,7 +44,7 @@ const uint kMostLevels = 8u, kMostPointLevels = 12u;
 struct PlantHead {
   uint first_quad, first_line, first_point, first_cell, first_step;
   uint cells, bark_levels, point_levels;
-  uint branches, line_levels, first_line_row;  // where lines begin: branches + 1 steps a level, in x
+  uint branches, line_levels, first_line_row;  // where lines begin: branches + 2 steps a level, in x
   uint first_view, view_side;  // visibility: bytes, cell by cell; side 0: all is visible
   float near2, per_near2;      // of the crown's ball: radius squared, and 1 / (3 of that)
   float density;               // share of the ellipse of its height and width that it hides, seen from its sides

@@ -87,7 +87,7 @@ void add_branches(TileMesh& mesh, const PreparedPlant& plant, const Detail& deta
   const BranchStep step = step_of(plant, level, detail.bark - static_cast<float>(index));
   for (std::uint32_t i = 0; i < step.quads; ++i) add_bark(mesh, plant.bark[level.quads.first + i], colour);
   const std::size_t lines = std::min(static_cast<std::size_t>(detail.line_level + 0.5F), plant.line_levels.size()),
-                    row = lines * (plant.branch_levels.front().branches + 1);
+                    row = lines * (plant.branch_levels.front().branches + 2);
   const std::uint32_t first = plant.line_firsts[row + step.branches],
                       last = plant.line_firsts[row + plant.branch_levels.front().branches];
   const auto& list = lines == 0 ? plant.lines : plant.coarse_lines;

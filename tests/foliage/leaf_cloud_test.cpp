@@ -106,8 +106,7 @@ TEST_CASE("figures of leaf sizes", "[.figures]") {
     const LeafScaleFit fit = fit_leaf_scale(ready);
     std::printf("%s: %zu quads, %zu cells, %zu points, %zu levels, %zu large, %zu lines, area %.1f, %.2f s\n", name,
                 ready.leaves.size(), ready.cells.size(), ready.points.size(), ready.point_levels.size(),
-                std::size_t{ready.large_quads}, ready.leaf_lines.size(), static_cast<double>(ready.leaf_area_m2),
-                seconds);
+                std::size_t{ready.large_quads}, ready.lines.size(), static_cast<double>(ready.leaf_area_m2), seconds);
     for (const PointLevel& level : ready.point_levels)
       std::printf("  level of %u points: area by %.2f\n", level.points.size(),
                   static_cast<double>(2 * level.area / ready.leaf_area_m2));

@@ -66,13 +66,14 @@ TEST_CASE("lines of a level are at least a third of its error wide where they st
 TEST_CASE("first lines of each level go with the branches that have meshes") {
   const Plant plant = grow_plant(builtin_species("shrub"), 2);
   const PreparedPlant ready = prepared(plant);
-  const std::size_t rows = plant.branches.size() + 1;
+  const std::size_t rows = plant.branches.size() + 2;
   REQUIRE(ready.line_firsts.size() == rows * 11);
   for (std::size_t b = 0; b < rows; ++b) CHECK(ready.line_firsts[b] <= ready.lines.size());
   for (std::size_t l = 0; l < ready.line_levels.size(); ++l) {
     const std::uint32_t* firsts = &ready.line_firsts[(l + 1) * rows];
     CHECK(firsts[0] == ready.line_levels[l].lines.first);
-    CHECK(firsts[rows - 1] == ready.line_levels[l].lines.last);
+    CHECK(firsts[rows - 2] == ready.line_levels[l].lines.last);  // no leaves'
+    CHECK(firsts[rows - 1] == firsts[rows - 2]);
     for (std::size_t b = 0; b + 1 < rows; ++b) REQUIRE(firsts[b] <= firsts[b + 1]);
   }
   for (const BranchStep& step : ready.branch_steps) CHECK(ready.line_firsts[step.branches] == step.first_line);

@@ -55,7 +55,6 @@ TEST_CASE("prepared plants keep their rules, and each broken rule is named") {
       {[](auto& p) { p.point_levels[0].points.last -= 1; }, "point level 0"},
       {[](auto& p) { p.large_points = 3; }, "point level 0"},
       {[](auto& p) { p.large_quads = 1U << 30; }, "large"},
-      {[](auto& p) { p.leaf_lines.resize(2); }, "leaf lines"},
       {[](auto& p) { p.point_levels[0].area = NAN; }, "point level 0"},
       {[](auto& p) { p.visibility.side = 8; }, "visibility"},
       {[](auto& p) { p.visibility.side = 1U << 31; }, "visibility"},

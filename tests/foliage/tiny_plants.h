@@ -45,4 +45,22 @@ inline Plant spiral_plant(std::uint32_t count) {
   return plant;
 }
 
+/// So many upright leaves `wide` across and .4 m high on a ground of 4 m by 4, and nothing else.
+inline Plant leaves_on_ground(std::uint32_t count, float wide, std::uint64_t seed) {
+  Plant plant;
+  Random random(seed);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const float x = random.spread(2), y = random.spread(2), angle = random.spread(3.14F);
+    const Vec3 across(wide * std::cos(angle), wide * std::sin(angle), 0);
+    std::array<MeshVertex, 4> corners{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      corners[k].position = Vec3(x, y, k < 2 ? 0 : .4F) + (k % 3 == 0 ? 0.F : 1.F) * across;
+      corners[k].normal = {-std::sin(angle), std::cos(angle), 0};
+    }
+    add_quad(plant.mesh.leaves, corners);
+    plant.terminals.push_back({{2 * i, 2 * i + 2}, -1, Organ::leaf});
+  }
+  return plant;
+}
+
 }  // namespace manzana::foliage

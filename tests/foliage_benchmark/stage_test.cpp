@@ -11,6 +11,7 @@
 #include "foliage/prepare.h"
 #include "gl/context.h"
 #include "gl/error_log.h"
+#include "tests/foliage/tiny_plants.h"
 
 namespace manzana::foliage_benchmark {
 namespace {
@@ -171,6 +172,31 @@ TEST_CASE("popping: fading steps less in the mean and what does not fade is no b
     CHECK(row.ratio_strong == 1);
     CHECK(row.ratio_most == 1);
   }
+}
+
+TEST_CASE("stage: blades of grass cover the same as quads, as lines and as points") {
+  const gl::HeadlessContext context;
+  gl::ErrorLog log;
+  std::vector<foliage::PreparedPlant> plants{prepare(foliage::leaves_on_ground(3000, 0.01F, 1))};
+  Stage stage(plants, sites_of(plants));
+  std::uint64_t lines = 0;
+  for (const double height_px : {64.0, 32.0, 16.0, 8.0, 4.0}) {
+    Shot shot = shot_of(extent_of(plants.front()), 0.7, 0.3, height_px);
+    shot.fine = fine_samples(height_px, shot.width);
+    stage.set_law(foliage::Law::full);
+    const Picture full = stage.draw({0, 1}, shot, {1, Sampling::fine});
+    stage.set_law(foliage::Law::ours);
+    const Picture ours = stage.draw({0, 1}, shot, {1, Sampling::fine});
+    lines = std::max(lines, stage.shown().lines);
+    const ImageError error = image_error(full, ours);
+    INFO(height_px << " px high: cover " << error.cover << " colour " << error.colour << " ssim " << error.ssim << ", "
+                   << stage.shown().leaves << " quads, " << stage.shown().lines << " lines");
+    CHECK(error.cover == Approx(1).epsilon(0.03));
+    CHECK(error.colour < 0.01);
+    CHECK(error.ssim > 0.84);
+  }
+  CHECK(lines > 0);
+  CHECK(log.messages().empty());
 }
 
 }  // namespace manzana::foliage_benchmark

@@ -11,6 +11,7 @@
 #include "foliage/random.h"
 #include "gl/context.h"
 #include "gl/error_log.h"
+#include "tests/foliage/tiny_plants.h"
 #include "tests/support/random.h"
 
 namespace manzana::foliage {
@@ -26,6 +27,7 @@ const std::vector<PreparedPlant>& plants() {
       for (std::size_t i = 0; i < plant.cells.size() * directions; ++i)
         plant.visibility.share.push_back(static_cast<std::uint8_t>(hash(i)));
     }
+    made.push_back(prepare(leaves_on_ground(400, 0.01F, 1), {.quads_per_cell = 100}));  // thin: lines
     return made;
   }();
   return all;
