@@ -33,22 +33,6 @@ float bark_height(float u, float v, std::uint64_t seed) {
 
 }  // namespace
 
-float linear_of_srgb(std::uint8_t value) {  // IEC 61966-2-1
-  const float v = static_cast<float>(value) / 255;
-  return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
-}
-
-std::uint8_t srgb_of_linear(float value) {
-  const float v = std::clamp(value, 0.0F, 1.0F);
-  const float s = v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
-  return static_cast<std::uint8_t>(std::lround(s * 255));
-}
-
-Vec3 linear_of_rgb(std::uint32_t rgb) {
-  return {linear_of_srgb(static_cast<std::uint8_t>(rgb >> 16)), linear_of_srgb(static_cast<std::uint8_t>(rgb >> 8)),
-          linear_of_srgb(static_cast<std::uint8_t>(rgb))};
-}
-
 void dilate_colour(Image& image) {
   const int n = image.size;
   std::vector<std::uint32_t> queue;  // breadth first from the texels that have a colour

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace manzana::draw {
 namespace {
@@ -48,7 +49,7 @@ FarTrees::FarTrees(std::size_t plants, const foliage::HostShaders& host)
 void add_pack(FarTrees& far, std::uint32_t plant, foliage::LdmPack pack) {
   far.pack_of[plant] = static_cast<std::uint32_t>(far.packs.size());
   far.packs.push_back(std::move(pack));
-  far.drawer->show(far.packs);
+  far.news = true;
 }
 
 namespace {
@@ -109,6 +110,7 @@ std::uint32_t split_trees(FarTrees& far, const TreesToSplit& trees, std::uint32_
   far.near.clear();
   far.trees.clear();
   far.wanted.clear();
+  if (std::exchange(far.news, false)) far.drawer->show(far.packs);
   const foliage::TreesSeen& seen = trees.seen;
   Splitter splitter(far, trees, words);
   for (const foliage::Run& run : seen.runs)

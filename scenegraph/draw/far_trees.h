@@ -24,6 +24,7 @@ struct FarTrees {
   explicit FarTrees(std::size_t plants, const foliage::HostShaders& host);
 
   std::vector<foliage::LdmPack> packs;
+  bool news = false;                   ///< some of them are not on the device: they come with the next frame, together
   std::vector<std::uint32_t> pack_of;  ///< of each plant; kNone: its trees stay what they are
   std::vector<std::uint32_t> wanted;   ///< plants without a pack, of which far trees were seen in the last frame
   std::unique_ptr<foliage::LdmDrawer> drawer;

@@ -1,5 +1,8 @@
+#include <bit>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "foliage/import/plant_image.h"
 #include "foliage/leaf_image.h"
@@ -15,6 +18,28 @@ int difference(const std::uint8_t* a, const std::uint8_t* b) {
   return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
 }
 }  // namespace
+
+TEST_CASE("bytes of sRGB are those of its formula there and back") {
+  const auto formula = [](float v) {  // IEC 61966-2-1
+    const float s = v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
+    return static_cast<int>(std::lround(s * 255));
+  };
+  for (int i = 0; i < 256; ++i) {
+    const float v = static_cast<float>(i) / 255;
+    const float linear = linear_of_srgb(static_cast<std::uint8_t>(i));
+    CHECK(linear == (v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F)));
+    CHECK(srgb_of_linear(linear) == i);
+  }
+  int wrong = 0;
+  for (std::uint32_t bits = 0; bits <= std::bit_cast<std::uint32_t>(1.0F); bits += bits < 0x38000000U ? 4093U : 61U) {
+    const auto v = std::bit_cast<float>(bits);  // every 61st from 3e-5 on
+    wrong += srgb_of_linear(v) != formula(v) ? 1 : 0;
+  }
+  CHECK(wrong == 0);
+  CHECK(srgb_of_linear(-1) == 0);
+  CHECK(srgb_of_linear(2) == 255);
+  CHECK(srgb_of_linear(std::numeric_limits<float>::quiet_NaN()) == 0);
+}
 
 TEST_CASE("leaf images show leaves, green also where they are transparent, with a free border") {
   for (const char* shape : {"oval", "round", "lobed", "heart", "lance", "needle", "tuft", "frond"}) {
