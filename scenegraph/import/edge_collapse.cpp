@@ -22,7 +22,7 @@ double distance_to_segment(const Vec3d& p, const Vec3d& a, const Vec3d& b) {
 
 void make_unique(std::vector<std::uint32_t>& items) {
   std::ranges::sort(items);
-  items.erase(std::ranges::unique(items).begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
 }  // namespace

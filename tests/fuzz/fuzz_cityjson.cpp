@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "scenegraph/import/building_levels.h"
 #include "scenegraph/import/cityjson.h"
 #include "scenegraph/import/meshes.h"
 
@@ -25,6 +26,11 @@ void check(const manzana::CityFeatures& city) {
     manzana::CityMesh mesh;
     std::vector<manzana::Issue> issues;
     append_construction(mesh, {city.frame, block}, work, issues);
+    for (const manzana::CityMesh& level : levels_of(mesh)) {
+      for (const std::uint32_t i : level.indices) require(i < level.vertices.size());
+      for (const manzana::CityVertex& v : level.vertices)
+        require(std::isfinite(v.position.x + v.position.y + v.position.z));
+    }
   }
   for (const auto& tree : city.trees)
     require(std::isfinite(tree.position.x) && tree.height > 0 && tree.crown_radius > 0);

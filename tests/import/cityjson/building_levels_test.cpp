@@ -2,6 +2,7 @@
 #include "scenegraph/import/building_levels.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -234,6 +235,33 @@ TEST_CASE("rounded surfaces stay as they are") {
   for (CityVertex& v : mesh.vertices)
     v.normal = pack_normal(glm::normalize(Vec3(0.01F * v.position.x, 0.01F * v.position.y, 1)));
   for (const CityMesh& level : levels_of(mesh)) CHECK(level.indices.empty());
+}
+
+TEST_CASE("triangles in any disorder give levels that are sound") {
+  support::Random random(11);
+  std::size_t levels = 0;
+  for (int round = 0; round < 300; ++round) {
+    CityMesh mesh;  // on few places, so that edges have many triangles, triangles are there twice, or are lines
+    const auto at_random = [&] { return static_cast<float>(random.below(3)) * (round % 2 == 0 ? 1.0F : 0.05F); };
+    for (std::uint32_t i = 0; i < 120; ++i) {
+      const Vec3 normal = random.below(2) == 0 ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
+      mesh.vertices.push_back({Vec3(at_random(), at_random(), at_random()), pack_normal(normal),
+                               pack_colour(random.below(2) == 0 ? 0xff0000 : 0x808080, Material::wall),
+                               Vec2(at_random(), at_random()), 0});
+      mesh.vertices.back().normal = mesh.vertices[i - i % 3].normal;  // flat
+      mesh.indices.push_back(i);
+    }
+    for (const CityMesh& level : levels_of(mesh)) {
+      CHECK(level.indices.size() <= 0.7 * static_cast<double>(mesh.indices.size()));
+      for (const std::uint32_t i : level.indices) REQUIRE(i < level.vertices.size());
+      for (const CityVertex& v : level.vertices) {
+        REQUIRE(std::ranges::any_of(mesh.vertices, [&](const CityVertex& w) { return w.position == v.position; }));
+        REQUIRE((std::isfinite(v.uv.x) && std::isfinite(v.uv.y)));
+      }
+      levels += level.indices.empty() ? 0 : 1;
+    }
+  }
+  CHECK(levels > 10);
 }
 
 TEST_CASE("Delft has fewer triangles at each level") {
