@@ -15,6 +15,7 @@
 #include "apps/common/progress_bar.h"
 #include "apps/foliage_benchmark/contact_sheet.h"
 #include "apps/foliage_benchmark/errors_report.h"
+#include "apps/foliage_benchmark/forest_path.h"
 #include "apps/foliage_benchmark/popping.h"
 #include "apps/foliage_benchmark/times.h"
 #include "apps/foliage_benchmark/trade_report.h"
@@ -221,6 +222,42 @@ void measure_trade(const Options& options, std::span<const foliage::PreparedPlan
   files::write_whole(options.out / "front.csv", apps::to_csv<TradePoint>(points, trade_columns()));
 }
 
+void measure_plants(const Options& options, std::span<const foliage::PreparedPlant> plants) {
+  if (options.trade) return measure_trade(options, plants);
+  write_sheets(options, plants);
+  if (!options.sheets_only) measure_all(options, plants);
+}
+
+std::vector<foliage::PreparedPlant> forest_plants(const Options& options) {
+  if (options.quick || !options.plants.empty()) return plants_of(options);
+  std::fprintf(stderr, "preparing seven trees of up to 430 000 triangles\n");
+  return prepare_source_trees(foliage::PrepareOptions().visibility_side);
+}
+
+void measure_forest(const Options& options) {
+  const ForestPathPlan plan = forest_path_plan(options.quick);
+  Forest forest(forest_plants(options), plan.trees, plan.most_full_quads);
+  forest.ground.make_far(forest.plants);
+  const apps::RunFacts facts = apps::run_facts(plan.errors.mode);
+  apps::Record<ErrorRow> record(options.out / "runs.csv", error_columns(),
+                                [&](const ErrorRow& row) { return same_run(row, facts); });
+  apps::ProgressBar bar(stderr);
+  const auto rows = measure_forest_errors(
+      forest.ground, forest.path(plan.stops, plan.height_px), plan.errors,
+      [&](double done) { bar.show("image errors", done); }, record,
+      [&](const std::string& name, const Picture& sheet) { write_sheet(options.out / (name + ".png"), sheet); });
+  const Times times = measure_rows({options.quick, options.out}, [&](Times& t) { add_forest_path(forest, plan, t); });
+  const auto verdicts = judge(rows);
+  files::write_whole(options.out / "runs.csv", apps::to_csv<ErrorRow>(rows, error_columns()));
+  files::write_whole(options.out / "summary.csv", apps::to_csv<Verdict>(verdicts, verdict_columns()));
+  files::write_whole(options.out / "columns.md", "# Columns\n\n## runs.csv: windows of a frame each\n" +
+                                                     apps::explain(error_columns()) + "\n## summary.csv\n" +
+                                                     apps::explain(verdict_columns()) + "\n## times.csv: frames\n" +
+                                                     explain_times());
+  files::write_whole(options.out / "report.md", head_md(options, forest.plants, times.dirty) + times.text +
+                                                    forest_errors_md(verdicts, plan.errors));
+}
+
 }  // namespace
 
 int run_benchmark(const Options& options) {
@@ -228,13 +265,10 @@ int run_benchmark(const Options& options) {
   apps::watch_for_interrupts();
   const gl::HeadlessContext context;
   try {
-    const auto plants = plants_of(options);
-    if (options.trade) {
-      measure_trade(options, plants);
-    } else {
-      write_sheets(options, plants);
-      if (!options.sheets_only) measure_all(options, plants);
-    }
+    if (options.forest)
+      measure_forest(options);
+    else
+      measure_plants(options, plants_of(options));
   } catch (const apps::Interrupted&) {
     std::fprintf(stderr, "interrupted: the same command goes on from what is finished in %s\n", options.out.c_str());
     return 1;

@@ -24,24 +24,6 @@ Sight sight_of(const Extent& extent, std::uint32_t site, int view, int views, do
   return sight;
 }
 
-void set_errors(const ImageError& error, ErrorRow& row) {
-  row.cover = error.cover;
-  row.iou = error.iou;
-  row.silhouette = error.silhouette;
-  row.colour = error.colour;
-  row.ssim = error.ssim;
-  row.gmsd = error.gmsd;
-  row.psnr = error.psnr;
-}
-
-void set_counts(const foliage::Shown& shown, ErrorRow& row) {
-  row.bark = shown.bark;
-  row.leaves = shown.leaves;
-  row.lines = shown.lines;
-  row.points = shown.points;
-  row.primitives = primitives_of(shown);
-}
-
 class Measurement {
  public:
   Measurement(Stage& stage, const ErrorPlan& plan, apps::Record<ErrorRow>* record, std::vector<ErrorRow>& rows)
@@ -158,6 +140,24 @@ std::string over_floors(const Verdict& v) {
 bool same_kind(const ErrorRow& a, const ErrorRow& b) {
   return a.plant == b.plant && a.height_px == b.height_px && a.law == b.law && a.sampling == b.sampling &&
          a.error_px == b.error_px;
+}
+
+void set_errors(const ImageError& error, ErrorRow& row) {
+  row.cover = error.cover;
+  row.iou = error.iou;
+  row.silhouette = error.silhouette;
+  row.colour = error.colour;
+  row.ssim = error.ssim;
+  row.gmsd = error.gmsd;
+  row.psnr = error.psnr;
+}
+
+void set_counts(const foliage::Shown& shown, ErrorRow& row) {
+  row.bark = shown.bark;
+  row.leaves = shown.leaves;
+  row.lines = shown.lines;
+  row.points = shown.points;
+  row.primitives = primitives_of(shown);
 }
 
 std::vector<foliage::TreeSite> sites_of(std::span<const foliage::PreparedPlant> plants, std::uint32_t copies) {

@@ -52,6 +52,9 @@ struct ErrorRow : apps::RunFacts {
   double cover = 1, iou = 1, silhouette = 0, colour = 0, ssim = 1, gmsd = 0, psnr = 99;
 };
 
+void set_errors(const ImageError& error, ErrorRow& row);
+void set_counts(const foliage::Shown& shown, ErrorRow& row);
+
 /// Of motifs_of(plants, plan). `progress` is called with [0, 1]. Pictures whose rows the record holds are not drawn
 /// again; those that are new are kept there.
 std::vector<ErrorRow> measure_errors(std::span<const foliage::PreparedPlant> plants, const ErrorPlan& plan,

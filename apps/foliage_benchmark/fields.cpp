@@ -97,7 +97,7 @@ void add_deussen(const Effort& effort, std::span<const PreparedPlant> plants, Ti
               const double half = spacing * std::sqrt(kFieldPlants) / 2;
               Ground ground(one, make_forest(one, kFieldPlants, spacing, 5), effort.quick ? 4e4 : 2e5);
               const Vec3d eye(-half * 1.2, 0, 2 * static_cast<double>(plant.height_m));
-              ground.measure(screen_shot(eye, {1, 0, -0.15}, effort.screen_height()), 0, effort.seconds(), row);
+              ground.measure(screen_shot(eye, {1, 0, -0.15}, effort.screen_height()), {}, effort.seconds(), row);
             });
   add_herb(times);
   add_point_sweep(effort, plants.front(), times);

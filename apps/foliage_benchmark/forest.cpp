@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "culling/hash.h"
 #include "culling/overlap.h"
@@ -36,6 +37,17 @@ std::vector<foliage::TreeSite> make_forest(std::span<const foliage::PreparedPlan
     sites.push_back(site);
   }
   see_neighbours(sites, plants, rows_seen_from(Vec3d(0)));
+  return sites;
+}
+
+std::vector<foliage::TreeSite> in_blocks(std::vector<foliage::TreeSite> sites, double side_m) {
+  const auto square = [&](const foliage::TreeSite& site) {
+    const auto at = [&](float x) { return static_cast<int>(std::floor(static_cast<double>(x) / side_m)); };
+    return std::pair(at(site.position.y), at(site.position.x));
+  };
+  std::ranges::stable_sort(sites, {}, square);
+  for (std::size_t i = 1; i < sites.size(); ++i)
+    sites[i].block = sites[i - 1].block + (square(sites[i]) != square(sites[i - 1]) ? 1 : 0);
   return sites;
 }
 

@@ -12,6 +12,9 @@ double closed_spacing(std::span<const foliage::PreparedPlant> plants);
 std::vector<foliage::TreeSite> make_forest(std::span<const foliage::PreparedPlant> plants, std::uint32_t trees,
                                            double spacing_m, std::uint64_t seed);
 
+/// Blocks of so many metres a side, one after the other, as a city has its trees.
+std::vector<foliage::TreeSite> in_blocks(std::vector<foliage::TreeSite> sites, double side_m);
+
 /// Trees whose balls are not certainly out of view, as runs; of these every `every`th.
 std::vector<foliage::Run> in_view(const Stage& stage, std::span<const Extent> extents, const Shot& shot,
                                   std::uint32_t every = 1);

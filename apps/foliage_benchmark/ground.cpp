@@ -5,8 +5,6 @@
 
 #include "apps/common/clock.h"
 #include "apps/common/quantile.h"
-#include "foliage/gl/ldm_sampler.h"
-#include "foliage/make_ldm.h"
 
 namespace manzana::foliage_benchmark {
 
@@ -21,40 +19,78 @@ Ground::Ground(std::span<const foliage::PreparedPlant> plants, const std::vector
   costs_ = make_costs(stage_.table());
 }
 
-void Ground::make_packs(std::span<const foliage::PreparedPlant> plants) {
-  constexpr int kFine = 2;
-  if (far_) return;
-  far_.emplace(plants.size(), shaders_with_mask());
-  for (std::uint32_t i = 0; i < plants.size(); ++i) {
-    foliage::LdmSamplerGl sampler(plants[i], kFine);
-    add_pack(*far_, i, make_ldm_pack(ldm_ball(plants[i]), draw::kFarPack, std::ref(sampler)));
-  }
+void Ground::make_far(std::span<const foliage::PreparedPlant> plants) {
+  if (!far_) far_.emplace(plants, stage_.sites());
 }
 
-HowDrawn Ground::how_drawn(const Runs& runs, const Shot& shot, double vertices) {
+std::vector<foliage::Run> Ground::in_view(const Shot& shot, std::uint32_t every) const {
+  return foliage_benchmark::in_view(stage_, extents_, shot, every);
+}
+
+HowDrawn Ground::how_drawn(const Runs& runs, const Shot& shot, const Exactness& exactness) {
   stage_.set_law(Law::ours);
-  const auto rows = rows_seen_from(shot.view.eye);
+  const auto rows = stage_.rows_seen_from(shot.view.eye);
   const double error =
-      error_for(costs_, stage_.table(), {stage_.sites(), rows, runs, 1 / shot.focal_px}, {.vertices = vertices});
-  return {.error_px = error * shot.focal_px, .sampling = Sampling::product, .far = far_ ? &*far_ : nullptr};
+      error_for(costs_, stage_.table(), {stage_.sites(), rows, runs, exactness.error_px / shot.focal_px},
+                {.vertices = exactness.vertices, .room = foliage::room_of(stage_.capacity())});
+  return {.error_px = error * shot.focal_px, .sampling = Sampling::product, .far = far()};
 }
 
-void Ground::measure(const Shot& shot, double vertices, double seconds, TimeRow& row) {
-  const Runs all = in_view(stage_, extents_, shot);
-  const HowDrawn how = how_drawn(all, shot, vertices);
-  row.covered_px = static_cast<double>(covered(stage_.draw(all, shot, how)));
+void Ground::draw_frame(const Shot& shot, const Exactness& exactness) {
+  const Runs all = in_view(shot);
+  stage_.draw_only(all, shot, how_drawn(all, shot, exactness));
+}
+
+void Ground::make_wanted(const Shot& shot, const Exactness& exactness) {
+  if (!far_) return;
+  do draw_frame(shot, exactness);
+  while (foliage_benchmark::make_wanted(*far_));
+}
+
+Picture Ground::draw(const Shot& shot, const Exactness& exactness, Sampling sampling) {
+  make_wanted(shot, exactness);
+  const Runs all = in_view(shot);
+  HowDrawn how = how_drawn(all, shot, exactness);
+  how.sampling = sampling;
+  return stage_.draw(all, shot, how);
+}
+
+HowDrawn Ground::show(const Shot& shot, const Exactness& exactness, TimeRow& row) {
+  row.covered_px = static_cast<double>(covered(draw(shot, exactness, Sampling::product)));
   set_shown(stage_.shown(), row);
-  if (far_) *row.primitives += 2 * far_->chosen.mosaics;
+  if (far_) *row.primitives += primitives_of(*far_);
+  const Runs all = in_view(shot);
+  const HowDrawn how = how_drawn(all, shot, exactness);
   row.error_px = how.error_px;
   row.trees = trees_of(all);
   row.reference_primitives = full_primitives(stage_, all);
-  time(shot, how, all, seconds, row);
+  return how;
+}
+
+void Ground::measure(const Shot& shot, const Exactness& exactness, double seconds, TimeRow& row) {
+  const HowDrawn how = show(shot, exactness, row);
+  time(shot, how, in_view(shot), seconds, row);
+}
+
+double Ground::least_ms(const Shot& shot, const Exactness& exactness, int times) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < times; ++i) {
+    const auto start = apps::Clock::now();
+    draw_frame(shot, exactness);
+    least = std::min(least, apps::us_since(start) / 1000);
+  }
+  return least;
+}
+
+void Ground::look(const Shot& shot, const Exactness& exactness, int times, TimeRow& row) {
+  show(shot, exactness, row);
+  row.ms = least_ms(shot, exactness, times);
 }
 
 void Ground::time(const Shot& shot, const HowDrawn& how, const Runs& all, double seconds, TimeRow& row) {
   const auto primitives = static_cast<double>(full_primitives(stage_, all));
   const auto every = static_cast<std::uint32_t>(std::max(1.0, std::ceil(primitives / 2 / most_full_quads_)));
-  const Runs some = in_view(stage_, extents_, shot, every);
+  const Runs some = in_view(shot, every);
   const auto ours = [&] {
     stage_.set_law(Law::ours);
     stage_.draw_only(all, shot, how);
@@ -70,19 +106,12 @@ void Ground::time(const Shot& shot, const HowDrawn& how, const Runs& all, double
   set_times(times, row);
 }
 
-void Ground::fly(std::span<const Shot> path, double vertices, int times, TimeRow& row) {
+void Ground::fly(std::span<const Shot> path, const Exactness& exactness, int times, TimeRow& row) {
   std::vector<double> frames_ms, errors_px;
   for (const Shot& shot : path) {
-    const Runs all = in_view(stage_, extents_, shot);
-    const HowDrawn how = how_drawn(all, shot, vertices);
-    double least = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < times; ++round) {
-      const auto start = apps::Clock::now();
-      stage_.draw_only(all, shot, how);
-      least = std::min(least, apps::us_since(start) / 1000);
-    }
-    frames_ms.push_back(least);
-    errors_px.push_back(how.error_px);
+    make_wanted(shot, exactness);
+    frames_ms.push_back(least_ms(shot, exactness, times));
+    errors_px.push_back(how_drawn(in_view(shot), shot, exactness).error_px);
   }
   row.ms = apps::quantile(frames_ms, 0.5);
   row.ms_99 = apps::quantile(frames_ms, 0.99);

@@ -1,11 +1,19 @@
 #pragma once
 /// Many plants on level ground, measured from one place or along a path. All detail is drawn of a part of them, and
 /// what it takes multiplied.
+///   Ground ground(plants, sites, 2e6);
+///   ground.make_far(plants);
+///   ground.fly(path, {.error_px = 0.85}, 3, row);
 #include "apps/foliage_benchmark/forest.h"
 #include "apps/foliage_benchmark/times.h"
 #include "foliage/budget.h"
 
 namespace manzana::foliage_benchmark {
+
+/// So many pixels may be wrong, or more where so many vertices bind (0: none do).
+struct Exactness {
+  double error_px = 1, vertices = 0;
+};
 
 class Ground {
  public:
@@ -13,25 +21,38 @@ class Ground {
   Ground(std::span<const foliage::PreparedPlant> plants, const std::vector<foliage::TreeSite>& sites,
          double most_full_quads);
 
-  /// From now on plants that are small in the picture are mosaics of packs, as in the walkthrough.
-  void make_packs(std::span<const foliage::PreparedPlant> plants);
+  /// From now on plants that are small in the picture are mosaics and groves, as in the walkthrough. They must outlive
+  /// this.
+  void make_far(std::span<const foliage::PreparedPlant> plants);
 
-  /// Ours with all plants in view, with a pixel of error, or with more where so many vertices bind (0: none do),
-  /// against all detail of some.
-  void measure(const Shot& shot, double vertices, double seconds, TimeRow& row);
-  /// Every frame of a path, the least of so many times each: what is left is the frame's own.
-  void fly(std::span<const Shot> path, double vertices, int times, TimeRow& row);
+  /// Ours with all plants in view against all detail of some.
+  void measure(const Shot& shot, const Exactness& exactness, double seconds, TimeRow& row);
+  /// The same without all detail: what it shows, and the least time of so many.
+  void look(const Shot& shot, const Exactness& exactness, int times, TimeRow& row);
+  /// Every frame of a path, the least of so many times each: what is left is the frame's own. What the far side wants
+  /// is made before.
+  void fly(std::span<const Shot> path, const Exactness& exactness, int times, TimeRow& row);
+
+  Stage& stage() { return stage_; }
+  FarSide* far() { return far_ ? &*far_ : nullptr; }
+  std::vector<foliage::Run> in_view(const Shot& shot, std::uint32_t every = 1) const;
+  /// Ours, with all that the far side wants for it.
+  Picture draw(const Shot& shot, const Exactness& exactness, Sampling sampling);
 
  private:
   using Runs = std::vector<foliage::Run>;
-  HowDrawn how_drawn(const Runs& runs, const Shot& shot, double vertices);
+  HowDrawn how_drawn(const Runs& runs, const Shot& shot, const Exactness& exactness);
+  void draw_frame(const Shot& shot, const Exactness& exactness);
+  double least_ms(const Shot& shot, const Exactness& exactness, int times);
+  HowDrawn show(const Shot& shot, const Exactness& exactness, TimeRow& row);
+  void make_wanted(const Shot& shot, const Exactness& exactness);
   void time(const Shot& shot, const HowDrawn& how, const Runs& all, double seconds, TimeRow& row);
 
   double most_full_quads_;
   std::vector<Extent> extents_;
   Stage stage_;
   foliage::CostTable costs_;
-  std::optional<draw::FarTrees> far_;
+  std::optional<FarSide> far_;
 };
 
 }  // namespace manzana::foliage_benchmark

@@ -32,6 +32,10 @@ Parsed parse_options(int argc, const char* const* argv) {
   app.add_flag("--errors-only", options.errors_only, "image errors, without the tables of the sources");
   app.add_flag("--trade", options.trade,
                "speed for accuracy alone: every law over the error that it is told, and the profiles of quality");
+  app.add_flag(
+      "--forest", options.forest,
+      "a forest of 4 000 trees along a path alone, with the settings of --quality balanced: its frames' times\n"
+      "and errors");
   app.add_flag("--sheets-only", options.sheets_only, "contact sheets, without tables");
   if (auto reply = apps::parse(app, argc, argv)) return {std::nullopt, std::move(reply->text), reply->exit_code};
   return {std::move(options), {}, 0};

@@ -19,6 +19,7 @@ struct Options {
   bool errors_only = false;  ///< the first section alone
   bool sheets_only = false;  ///< contact sheets alone
   bool trade = false;        ///< speed for accuracy alone
+  bool forest = false;       ///< a forest along a path alone
 };
 
 using Parsed = apps::Parsed<Options>;

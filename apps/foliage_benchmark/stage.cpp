@@ -134,7 +134,25 @@ Shot moved(const Shot& shot, double right_px) {
   return other;
 }
 
+Shot window_of(const Shot& shot, int left, int low, int width, int height) {
+  Shot part = shot;
+  part.width = width;
+  part.height = height;
+  part.view.tan_left = shot.view.tan_left + left / shot.focal_px;
+  part.view.tan_right = part.view.tan_left + width / shot.focal_px;
+  part.view.tan_bottom = shot.view.tan_bottom + low / shot.focal_px;
+  part.view.tan_top = part.view.tan_bottom + height / shot.focal_px;
+  return part;
+}
+
 std::array<Vec4, 3> rows_seen_from(const Vec3d& eye) { return draw::relative_to(eye, BlockFrame{}); }
+
+std::vector<Vec4> Stage::rows_seen_from(const Vec3d& eye) const {
+  const auto rows = foliage_benchmark::rows_seen_from(eye);
+  std::vector<Vec4> all;
+  for (std::size_t block = 0; block < blocks_; ++block) all.insert(all.end(), rows.begin(), rows.end());
+  return all;
+}
 
 Stage::Stage(std::span<const foliage::PreparedPlant> plants, std::span<const foliage::TreeSite> sites,
              const foliage::ExtractLimits& limits)
@@ -144,8 +162,9 @@ Stage::Stage(std::span<const foliage::PreparedPlant> plants, std::span<const fol
       extractor_(sites, limits),
       programs_(shaders_with_mask()),
       frame_(gl::make_buffer(sizeof(draw::FrameData))),
-      rows_(gl::make_buffer(sizeof(draw::Rows))),
       trees_(gl::make_buffer(sites.size() * sizeof(std::uint32_t))) {
+  for (const foliage::TreeSite& site : sites) blocks_ = std::max<std::size_t>(blocks_, site.block + 1);
+  rows_ = gl::make_buffer(blocks_ * sizeof(draw::Rows));
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
 }
 
@@ -189,24 +208,44 @@ std::vector<std::uint32_t> Stage::words_of(std::span<const foliage::Run> runs, c
   for (const foliage::Run& run : runs)
     for (std::uint32_t site = run.first; site < run.last; ++site) words.push_back(site);
   if (how.far == nullptr) return words;
-  const auto rows = rows_seen_from(shot.view.eye);
+  const std::vector<Vec4> rows = rows_seen_from(shot.view.eye);
   words.resize(split_trees(*how.far, {store_.table, {sites_, rows, runs, how.error_px / shot.focal_px}}, words.data()));
   return words;
 }
 
+/// How many of the first have room in the lists at once.
+std::size_t Stage::part_of(std::span<const std::uint32_t> words) const {
+  if (law_ != foliage::Law::full) return words.size();
+  const foliage::ListSizes room = foliage::room_of(extractor_.capacity);
+  std::size_t cells = 0, groups = 0, n = 0;
+  for (; n < words.size(); ++n) {
+    const foliage::PreparedPlant& plant = plants_[sites_[words[n]].plant];
+    const std::size_t bark = plant.branch_levels.empty() ? 0 : plant.branch_levels.front().quads.size();
+    cells += plant.cells.size();
+    groups += (bark + plant.leaves.size()) / foliage::glsl::kQuadGroup + plant.cells.size() + 2;
+    if (static_cast<double>(cells) > room.x || static_cast<double>(groups) > room.y) break;
+  }
+  return std::min(std::max<std::size_t>(n, 1), words.size());
+}
+
 void Stage::begin(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) {
   in_view_ = {};
-  const std::vector<std::uint32_t> trees = words_of(runs, shot, how);
+  words_ = words_of(runs, shot, how);
   in_view_.buffer = trees_.name();
-  in_view_.trees = static_cast<std::uint32_t>(trees.size());
   in_view_.error_at_1m = how.error_px / shot.focal_px;
   in_view_.heed_neighbours = how.heed_neighbours;
-  glNamedBufferSubData(trees_.name(), 0, static_cast<GLsizeiptr>(trees.size() * sizeof trees[0]), trees.data());
   begin(shot);
 }
 
+void Stage::extract_trees(std::span<const std::uint32_t> words) {
+  in_view_.trees = static_cast<std::uint32_t>(words.size());
+  glNamedBufferSubData(trees_.name(), 0, static_cast<GLsizeiptr>(words.size_bytes()), words.data());
+  extract(extractor_, store_, in_view_);
+}
+
 void Stage::begin(const Shot& shot) {
-  upload(rows_, rows_seen_from(shot.view.eye));
+  const std::vector<Vec4> rows = rows_seen_from(shot.view.eye);
+  glNamedBufferSubData(rows_.name(), 0, static_cast<GLsizeiptr>(rows.size() * sizeof rows[0]), rows.data());
   draw::DrawOptions options;
   options.layers.fog = false;
   options.sun = shot.sun;
@@ -232,15 +271,22 @@ void Stage::clear(Room& room) {
   glClearNamedFramebufferfv(room.drawn.name(), GL_DEPTH, 0, &nothing.x);
 }
 
-void Stage::extract_and_draw(Room& room, const Shot& shot, draw::FarTrees* far) {
-  extract(extractor_, store_, in_view_);
+void Stage::extract_and_draw(Room& room, const Shot& shot, FarSide* far) {
   clear(room);
   const double enlarged = static_cast<double>(room.width) / shot.width;
   foliage::DrawPlantsOptions options;  // no wind
   options.focal_px = static_cast<float>(shot.focal_px * enlarged);
   options.samples = room.samples;
-  draw_plants(programs_, store_, extractor_, options);
-  if (far != nullptr) draw_far_trees(*far, room.samples);
+  shown_before_ = {};
+  for (std::span<const std::uint32_t> rest = words_;;) {
+    const std::size_t n = part_of(rest);
+    extract_trees(rest.first(n));
+    draw_plants(programs_, store_, extractor_, options);
+    rest = rest.subspan(n);
+    if (rest.empty()) break;
+    shown_before_ = shown();
+  }
+  if (far != nullptr) draw_far(*far, options.focal_px, room.samples);
 }
 
 /// Means over squares of `factor` pixels.
@@ -313,13 +359,15 @@ void Stage::draw_only(std::span<const foliage::Run> runs, const Shot& shot, cons
 
 void Stage::extract_only(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) {
   begin(runs, shot, how);
-  extract(extractor_, store_, in_view_);
+  extract_trees(words_);
   glFinish();
 }
 
 foliage::Shown Stage::shown() {
   glFinish();
-  return newest_shown(extractor_);
+  const foliage::Shown last = newest_shown(extractor_), &before = shown_before_;
+  return {before.bark + last.bark, before.leaves + last.leaves, before.lines + last.lines, before.points + last.points,
+          before.missing + last.missing};
 }
 
 }  // namespace manzana::foliage_benchmark

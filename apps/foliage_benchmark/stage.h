@@ -7,11 +7,11 @@
 #include <functional>
 #include <optional>
 
+#include "apps/foliage_benchmark/far_side.h"
 #include "apps/foliage_benchmark/picture.h"
 #include "culling/frustum.h"
 #include "foliage/detail.h"
 #include "foliage/gl/draw_plants.h"
-#include "scenegraph/draw/far_trees.h"
 
 namespace manzana::foliage_benchmark {
 
@@ -41,12 +41,14 @@ Shot shot_of(const Extent& extent, double azimuth, double elevation, double heig
 int fine_samples(double height_px, int width);
 /// The same picture, so much to the right.
 Shot moved(const Shot& shot, double right_px);
+/// A part of the picture, from `left` and `low` on, in pixels: what stands in it is drawn just as in the whole.
+Shot window_of(const Shot& shot, int left, int low, int width, int height);
 
 struct HowDrawn {
   double error_px = 1;
   Sampling sampling = Sampling::fine;
   bool heed_neighbours = true;
-  draw::FarTrees* far = nullptr;  ///< small trees are mosaics of its packs, as in the walkthrough; null: none are
+  FarSide* far = nullptr;  ///< small trees are its mosaics and groves; null: none are
 };
 
 /// Triangles and points.
@@ -67,13 +69,14 @@ foliage::HostShaders shaders_with_mask();
 
 class Stage {
  public:
-  /// A context must be current, and stay the same. Throws as PlantStore, Extractor and PlantPrograms do.
+  /// A context must be current, and stay the same. Blocks of sites are parts of the scene, in its axes. Throws as
+  /// PlantStore, Extractor and PlantPrograms do.
   Stage(std::span<const foliage::PreparedPlant> plants, std::span<const foliage::TreeSite> sites,
         const foliage::ExtractLimits& limits = {});
 
   void set_law(foliage::Law law);
   void set_details(std::vector<foliage::Detail> details);  ///< until the next law
-  /// Of the sites in the runs.
+  /// Of the sites in the runs. With all detail, and more of it than lists have room for, in parts.
   Picture draw(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
   Picture draw(const foliage::Run& run, const Shot& shot, const HowDrawn& how) { return draw({&run, 1}, shot, how); }
   /// Only extraction and drawing, into the same kind of framebuffer, without reading it; ends with glFinish.
@@ -88,6 +91,8 @@ class Stage {
   const foliage::PlantTable& table() const { return store_.table; }
   const std::vector<foliage::PreparedPlant>& plants() const { return plants_; }  ///< without pictures
   std::span<const foliage::TreeSite> sites() const { return sites_; }
+  const foliage::glsl::Capacity& capacity() const { return extractor_.capacity; }
+  std::vector<Vec4> rows_seen_from(const Vec3d& eye) const;  ///< of all blocks
 
  private:
   struct Room {
@@ -102,7 +107,9 @@ class Stage {
   void begin(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
   static void clear(Room& room);
   std::vector<std::uint32_t> words_of(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) const;
-  void extract_and_draw(Room& room, const Shot& shot, draw::FarTrees* far);
+  std::size_t part_of(std::span<const std::uint32_t> words) const;
+  void extract_trees(std::span<const std::uint32_t> words);
+  void extract_and_draw(Room& room, const Shot& shot, FarSide* far);
   Room& draw_into_room(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
   Room& paint_into_room(const Paint& paint, const Shot& shot, Sampling sampling);
   static Picture read(Room& room, int factor);
@@ -114,8 +121,11 @@ class Stage {
   foliage::PlantPrograms programs_;
   gl::Buffer frame_, rows_, trees_;
   std::optional<foliage::Law> law_;
+  std::size_t blocks_ = 1;
   foliage::TreesInView in_view_;
-  std::vector<Room> rooms_;  // the newest last
+  std::vector<std::uint32_t> words_;  // of the picture at hand
+  foliage::Shown shown_before_;       // of its parts but for the last
+  std::vector<Room> rooms_;           // the newest last
 };
 
 /// The rows that select() and extract() are told, of a scene whose only block is the scene itself.

@@ -7,6 +7,10 @@
 namespace manzana::draw {
 namespace {
 
+// Pictures of a tree are of parallel light, and of its outside: whatever may be wrong, they show nothing of a tree that
+// is nearer than twice its height.
+constexpr double kMostError = 0.5 / kNoMosaics;
+
 constexpr std::uint32_t kShift = foliage::glsl::kShareShift, kAll = foliage::glsl::kAllMosaics;
 
 /// Of a tree's height the square, over that of what may be wrong where it stands.
@@ -57,8 +61,8 @@ namespace {
 /// Of a frame: tree after tree, block after block.
 class Splitter {
  public:
-  Splitter(FarTrees& far, const TreesToSplit& trees, std::uint32_t* words)
-      : far_(far), trees_(trees), seen_(trees.seen), words_(words) {}
+  Splitter(FarTrees& far, const TreesToSplit& trees, const foliage::TreesSeen& seen, std::uint32_t* words)
+      : far_(far), trees_(trees), seen_(seen), words_(words) {}
 
   /// Sites of one block.
   void add(const foliage::Run& sites) {
@@ -111,8 +115,9 @@ std::uint32_t split_trees(FarTrees& far, const TreesToSplit& trees, std::uint32_
   far.trees.clear();
   far.wanted.clear();
   if (std::exchange(far.news, false)) far.drawer->show(far.packs);
-  const foliage::TreesSeen& seen = trees.seen;
-  Splitter splitter(far, trees, words);
+  foliage::TreesSeen seen = trees.seen;
+  seen.error_at_1m = std::min(seen.error_at_1m, kMostError);
+  Splitter splitter(far, trees, seen, words);
   for (const foliage::Run& run : seen.runs)
     for (std::uint32_t first = run.first, last = first; first < run.last; first = last) {
       while (last < run.last && seen.sites[last].block == seen.sites[first].block) ++last;

@@ -114,6 +114,23 @@ TEST_CASE("foliage benchmark: the trade has a front whose rows stand in the summ
   CHECK(read_all(out / "runs.csv") + read_all(out / "times.csv") == before);  // dates too
 }
 
+TEST_CASE("foliage benchmark: a forest's frames are timed and judged and the same run again measures nothing") {
+  const TemporaryFolder folder;
+  const auto out = folder.path() / "out";
+  auto run = small_run(folder.path(), out);
+  *std::ranges::find(run, "--errors-only") = "--forest";
+  const Ended ended = run_benchmark(folder.path(), run);
+  CAPTURE(ended.err);
+  REQUIRE(ended.code == 0);
+  CHECK(table_of(out / "runs.csv").size() == 1 + 3 * 4);
+  CHECK(table_of(out / "times.csv").size() == 1 + 3 + 1);
+  CHECK(std::filesystem::exists(out / "frame_0.png"));
+  CHECK(read_all(out / "report.md").find("## A forest along a path") != std::string::npos);
+  const std::string before = read_all(out / "runs.csv") + read_all(out / "times.csv");
+  REQUIRE(run_benchmark(folder.path(), run).code == 0);
+  CHECK(read_all(out / "runs.csv") + read_all(out / "times.csv") == before);  // dates too
+}
+
 TEST_CASE("foliage benchmark: sheets alone") {
   const TemporaryFolder folder;
   const auto out = folder.path() / "out";

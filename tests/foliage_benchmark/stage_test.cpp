@@ -6,6 +6,7 @@
 #include "apps/foliage_benchmark/fixed_detail.h"
 #include "apps/foliage_benchmark/forest.h"
 #include "apps/foliage_benchmark/popping.h"
+#include "apps/foliage_benchmark/sheet.h"
 #include "foliage/generate.h"
 #include "foliage/import/species.h"
 #include "foliage/prepare.h"
@@ -197,6 +198,49 @@ TEST_CASE("stage: blades of grass cover the same as quads, as lines and as point
   }
   CHECK(lines > 0);
   CHECK(log.messages().empty());
+}
+
+TEST_CASE("stage: a window of a picture shows what the whole does there") {
+  const gl::HeadlessContext context;
+  const auto sites = make_forest(shrub(), 30, closed_spacing(shrub()), 2);
+  Stage stage(shrub(), sites);
+  const Shot whole = screen_shot({-9, 1, 3}, {1, 0, -0.3}, 90);
+  for (const foliage::Law law : {foliage::Law::full, foliage::Law::ours}) {
+    stage.set_law(law);
+    const Shot part = window_of(whole, 40, 20, 60, 45);
+    const Picture expected = cropped(stage.draw({0, 30}, whole, {}), {40, 20, 100, 65});
+    const ImageError error = image_error(expected, stage.draw({0, 30}, part, {}));
+    CHECK(covered(expected) > 500);
+    CHECK(error.cover == Approx(1).margin(0.005));
+    CHECK(error.ssim > 0.95);  // noise goes by the pixel of the window
+  }
+}
+
+TEST_CASE("stage: all detail that lists have no room for at once is the same picture in parts") {
+  const gl::HeadlessContext context;
+  gl::ErrorLog log;
+  const auto sites = make_forest(shrub(), 30, closed_spacing(shrub()), 2);
+  const auto quads = static_cast<std::uint32_t>(shrub().front().leaves.size() + shrub().front().bark.size());
+  Stage at_once(shrub(), sites), in_parts(shrub(), sites, {.quads = 4 * quads});
+  const Shot shot = screen_shot({-9, 1, 3}, {1, 0, -0.3}, 90);
+  for (Stage* stage : {&at_once, &in_parts}) stage->set_law(foliage::Law::full);
+  const Picture expected = at_once.draw({0, 30}, shot, {}), seen = in_parts.draw({0, 30}, shot, {});
+  CHECK(image_error(expected, seen).psnr == 99);
+  CHECK(in_parts.shown().missing == 0);
+  CHECK(in_parts.shown().leaves == at_once.shown().leaves);
+  CHECK(log.messages().empty());
+}
+
+TEST_CASE("forest: blocks hold all trees, one after the other, near each other") {
+  const double spacing = closed_spacing(shrub());
+  const auto sites = make_forest(shrub(), 100, spacing, 2), ordered = in_blocks(sites, 3 * spacing);
+  REQUIRE(ordered.size() == sites.size());
+  CHECK(ordered.back().block > 8);
+  for (std::size_t i = 1; i < ordered.size(); ++i) {
+    const auto &a = ordered[i - 1], &b = ordered[i];
+    CHECK((b.block == a.block || b.block == a.block + 1));
+    if (b.block == a.block) CHECK(static_cast<double>(glm::distance(a.position, b.position)) < 3 * spacing * 1.5);
+  }
 }
 
 }  // namespace manzana::foliage_benchmark

@@ -1,0 +1,44 @@
+#include "apps/foliage_benchmark/far_side.h"
+
+#include "apps/foliage_benchmark/stage.h"
+#include "foliage/gl/ldm_sampler.h"
+#include "foliage/make_ldm.h"
+
+namespace manzana::foliage_benchmark {
+
+FarSide::FarSide(std::span<const foliage::PreparedPlant> plants, std::span<const foliage::TreeSite> all)
+    : sites(all),
+      trees(plants.size(), shaders_with_mask()),
+      groves(plants, all, all.empty() ? 0 : all.back().block + 1, shaders_with_mask()),
+      maker(plants) {
+  constexpr int kFine = 2;  // as the walkthrough has it
+  for (std::uint32_t i = 0; i < plants.size(); ++i) {
+    foliage::LdmSamplerGl sampler(plants[i], kFine);
+    add_pack(trees, i, make_ldm_pack(ldm_ball(plants[i]), draw::kFarPack, std::ref(sampler)));
+  }
+}
+
+bool make_wanted(FarSide& far) {
+  bool made = false;
+  for (const draw::GroveWanted& wanted : std::vector(far.groves.wanted)) {
+    const foliage::Run& run = far.groves.blocks[wanted.block].sites;
+    const foliage::Grove grove = far.maker.make(far.sites.subspan(run.first, run.size()), wanted.level);
+    made = add_grove(far.groves, wanted, grove) || made;
+  }
+  return made;
+}
+
+std::uint32_t split_trees(FarSide& far, draw::TreesToSplit trees, std::uint32_t* words) {
+  trees.groves = &far.groves;
+  begin_frame(far.groves);
+  const std::uint32_t n = draw::split_trees(far.trees, trees, words);
+  end_frame(far.groves);
+  return n;
+}
+
+void draw_far(FarSide& far, float focal_px, int samples) {
+  far.mosaics = draw_far_trees(far.trees, samples);
+  far.points = draw_groves(far.groves, focal_px, samples);
+}
+
+}  // namespace manzana::foliage_benchmark
