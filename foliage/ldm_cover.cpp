@@ -18,7 +18,10 @@ constexpr float kLeastGrown = -0.4F, kMostGrown = 1;
 
 using vec3 = Vec3;
 using glm::dot;
+using glm::findMSB;
 using std::max;
+using std::min;
+using uint = std::uint32_t;
 #include "foliage/shaders/ldm_turn.glsl"
 
 /// What is still open of each pixel of a picture as mosaics are put into it, in any order.
@@ -39,7 +42,10 @@ class Sheet {
     const float reach = view_.pixels_of(pixel) * glm::length(right) * glm::length(half);
     const float size2 = glm::dot(right, right), pixel_px = view_.pixels_of(pixel);
     const float shrunk = std::ldexp(1.0F, -block.shrink), texels = shrunk / (pixel_px * std::sqrt(size2));
-    const int level = std::clamp(static_cast<int>(std::log2(texels) + 0.5F), 0, kLdmShrinks - block.shrink);
+    const std::uint32_t most =
+        ldm_most_level(mosaic.right - mosaic.left + 0U, mosaic.high - mosaic.low + 0U, block.shrink);
+    const int level = std::clamp(static_cast<int>(std::log2(texels) + 0.5F), 0,
+                                 std::min(kLdmShrinks - block.shrink, static_cast<int>(most)));
     const auto last = static_cast<float>(view_.pixels());
     for (int y = static_cast<int>(std::clamp(at.y - reach, 0.0F, last)); y < std::min(at.y + reach, last); ++y)
       for (int x = static_cast<int>(std::clamp(at.x - reach, 0.0F, last)); x < std::min(at.x + reach, last); ++x) {

@@ -13,8 +13,8 @@ layout(std430, binding = 10) readonly buffer LdmBlocks { LdmBlock ldm_blocks[]; 
 layout(std430, binding = 11) readonly buffer LdmMosaics { LdmMosaic ldm_mosaics[]; };
 
 layout(location = 0) out vec3 out_rel;
-layout(location = 1) out vec2 out_texel;  // of the page
-layout(location = 2) flat out uvec4 out_square;  // of the page: x, y, log2 of its side, page
+layout(location = 1) centroid out vec2 out_texel;  // of the page; beside the mosaic there is nothing to see
+layout(location = 2) flat out uvec4 out_square;  // of the page: x, y, log2 of its side (8 bits) and ldm_most_level(), page
 layout(location = 3) flat out vec3 out_normal_x;
 layout(location = 4) flat out vec3 out_normal_y;
 layout(location = 5) flat out vec3 out_normal_z;
@@ -43,7 +43,8 @@ void main() {
   p += turned(off.x * side.right.xyz + off.y * side.up.xyz, towards, tree.to_eye, item.grown);
   out_rel = vec3(dot(tree.row_x, vec4(p, 1.0)), dot(tree.row_y, vec4(p, 1.0)), dot(tree.row_z, vec4(p, 1.0)));
   out_texel = vec2(page.xy) + at * exp2(-float(page.w));
-  out_square = uvec4(page.xy, 5u - page.w, side.first_page + page.z);
+  uint most = ldm_most_level(box.z - box.x, box.w - box.y, page.w);
+  out_square = uvec4(page.xy, (5u - page.w) | most << 8u, side.first_page + page.z);
   vec3 x = vec3(tree.row_x.x, tree.row_y.x, tree.row_z.x), z = vec3(tree.row_x.z, tree.row_y.z, tree.row_z.z);
   vec3 inverse = 1.0 / vec3(vec2(dot(x, x)), dot(z, z));
   out_normal_x = tree.row_x.xyz * inverse;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "apps/foliage_benchmark/errors.h"
+#include "apps/foliage_benchmark/forest.h"
 #include "foliage/generate.h"
 #include "foliage/gl/ldm_sampler.h"
 #include "foliage/import/species.h"
@@ -124,6 +125,36 @@ TEST_CASE("packs: four samples a pixel cover as much as many do") {
       CAPTURE(species, height_px);
       CHECK(four / many == Approx(1).margin(0.02));
     }
+  }
+}
+
+TEST_CASE("packs: crowns of a few pixels cover as much with the product's samples as with many") {
+  const gl::HeadlessContext context;
+  constexpr std::uint32_t kTrees = 144;
+  for (const char* species : {"conifer", "birch"}) {
+    const auto plants = plant_named(species);
+    Stage stage(plants, make_forest(plants, kTrees, 2.5 * closed_spacing(plants), 5));
+    Packs packs(packs_of(plants[0], draw::kFarPack, 2));
+    const foliage::Run run{0, kTrees};
+    for (const double down : {0.1, 1.0, 20.0})
+      for (const double height_px : {10.0, 6.0, 4.0, 2.5}) {
+        const Vec3d forward(1, 0, -down);
+        Shot shot = screen_shot(Vec3d(0), forward, 240);
+        shot.view.eye =
+            -(shot.focal_px * static_cast<double>(plants[0].height_m) / height_px) * glm::normalize(forward);
+        shot.fine = 16;
+        const auto cover = [&](Sampling sampling) {
+          double sum = 0;
+          for (const Vec4& texel :
+               stage.draw(packs.painter(stage, {&run, 1}, shot, Way::dithered), shot, sampling).texels)
+            sum += static_cast<double>(texel.w);
+          return sum;
+        };
+        const double fine = cover(Sampling::fine);
+        CAPTURE(species, down, height_px, fine);
+        CHECK(cover(Sampling::product) / fine == Approx(1).margin(0.1));
+        CHECK(cover(Sampling::single) / fine == Approx(1).margin(0.12));
+      }
   }
 }
 
