@@ -2,7 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include "scenegraph/srgb_table.h"
+#include "foliage/leaf_image.h"
 
 namespace manzana {
 namespace {
@@ -10,18 +10,18 @@ namespace {
 using Level = GroundPhoto::Level;
 using Texel = GroundPhoto::Texel;
 
-Texel mean(const SrgbTable& srgb, const std::array<Texel, 4>& four) {
+Texel mean(const std::array<Texel, 4>& four) {
   Texel out;
   for (std::size_t c = 0; c < 3; ++c) {
     float sum = 0;
-    for (const Texel& t : four) sum += srgb.linear(t[c]);
-    out[c] = srgb.byte(sum / 4);
+    for (const Texel& t : four) sum += foliage::linear_of_srgb(t[c]);
+    out[c] = foliage::srgb_of_linear(sum / 4);
   }
   out[3] = static_cast<std::uint8_t>((four[0][3] + four[1][3] + four[2][3] + four[3][3] + 2) / 4);
   return out;
 }
 
-Level halved(const SrgbTable& srgb, const Level& from) {
+Level halved(const Level& from) {
   Level to{(from.columns + 1) / 2, (from.rows + 1) / 2, {}};
   to.texels.resize(std::size_t{to.columns} * to.rows);
   const auto at = [&](std::uint32_t c, std::uint32_t r) {
@@ -30,7 +30,7 @@ Level halved(const SrgbTable& srgb, const Level& from) {
   tbb::parallel_for(0U, to.rows, [&](std::uint32_t r) {
     for (std::uint32_t c = 0; c < to.columns; ++c)
       to.texels[std::size_t{r} * to.columns + c] =
-          mean(srgb, {at(2 * c, 2 * r), at(2 * c + 1, 2 * r), at(2 * c, 2 * r + 1), at(2 * c + 1, 2 * r + 1)});
+          mean({at(2 * c, 2 * r), at(2 * c + 1, 2 * r), at(2 * c, 2 * r + 1), at(2 * c + 1, 2 * r + 1)});
   });
   return to;
 }
@@ -38,9 +38,8 @@ Level halved(const SrgbTable& srgb, const Level& from) {
 }  // namespace
 
 void add_levels(GroundPhoto& photo) {
-  const SrgbTable srgb;
   while (photo.levels.back().columns > 1 || photo.levels.back().rows > 1)
-    photo.levels.push_back(halved(srgb, photo.levels.back()));
+    photo.levels.push_back(halved(photo.levels.back()));
 }
 
 std::size_t bytes_of(const GroundPhoto& photo) {

@@ -19,8 +19,8 @@ manzana::GroundPhoto manzana::read_ground_photo(const std::filesystem::path& fil
 #include <cmath>
 #include <limits>
 
+#include "foliage/leaf_image.h"
 #include "scenegraph/import/raster_place.h"
-#include "scenegraph/srgb_table.h"
 
 namespace manzana {
 namespace {
@@ -117,7 +117,7 @@ class Picture {
 };
 
 /// Between the four pixels around, in linear light; nothing beyond the window. `at`: pixels of the file.
-Texel sample(const SrgbTable& srgb, const Window& w, const Vec2d& at) {
+Texel sample(const Window& w, const Vec2d& at) {
   if (!(at.x >= w.low.x && at.y >= w.low.y && at.x < w.high.x && at.y < w.high.y)) return {};
   const Vec2d p = (at - w.low) / (w.high - w.low) * Vec2d(w.size) - 0.5, cell = glm::floor(p), t = p - cell;
   Vec4 sum(0);
@@ -126,10 +126,12 @@ Texel sample(const SrgbTable& srgb, const Window& w, const Vec2d& at) {
     const Texel& v = w.pixels[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(w.size.x) +
                               static_cast<std::size_t>(pixel.x)];
     const double weight = (corner.x == 1 ? t.x : 1 - t.x) * (corner.y == 1 ? t.y : 1 - t.y) * v[3] / 255.0;
-    sum += static_cast<float>(weight) * Vec4(srgb.linear(v[0]), srgb.linear(v[1]), srgb.linear(v[2]), 1);
+    sum += static_cast<float>(weight) *
+           Vec4(foliage::linear_of_srgb(v[0]), foliage::linear_of_srgb(v[1]), foliage::linear_of_srgb(v[2]), 1);
   }
   sum = glm::min(sum, Vec4(1));
-  return {srgb.byte(sum.x), srgb.byte(sum.y), srgb.byte(sum.z), static_cast<std::uint8_t>(sum.w * 255 + 0.5F)};
+  return {foliage::srgb_of_linear(sum.x), foliage::srgb_of_linear(sum.y), foliage::srgb_of_linear(sum.z),
+          static_cast<std::uint8_t>(sum.w * 255 + 0.5F)};
 }
 
 /// Where the squares of a tile lie in the picture.
@@ -157,14 +159,13 @@ class TilePlaces {
   Rect bounds_;
 };
 
-void fill_tile(const SrgbTable& srgb, GroundPhoto& photo, const ivec2& first, const TilePlaces& places,
-               const Window& window) {
+void fill_tile(GroundPhoto& photo, const ivec2& first, const TilePlaces& places, const Window& window) {
   GroundPhoto::Level& level = photo.levels[0];
   const ivec2 size = glm::min(ivec2(kTile), ivec2(level.columns, level.rows) - first);
   tbb::parallel_for(0, size.y, [&](int r) {
     Texel* row =
         &level.texels[static_cast<std::size_t>(first.y + r) * level.columns + static_cast<std::size_t>(first.x)];
-    for (int c = 0; c < size.x; ++c) row[c] = sample(srgb, window, places.of(c, r));
+    for (int c = 0; c < size.x; ++c) row[c] = sample(window, places.of(c, r));
   });
 }
 
@@ -176,7 +177,6 @@ GroundPhoto read(GDALDataset& data, const LocalFrame& frame, const culling::BoxD
   const Rect rect = common(wanted, extent(place, frame, picture.size()));
   if (city.empty() || rect.empty()) throw std::runtime_error("does not reach the city");
   const Vec2d size = rect.high - rect.low;
-  const SrgbTable srgb;
   GroundPhoto photo;
   photo.origin = rect.low;
   photo.step = std::max(place.pixel_size(frame, rect.low + size / 2.0), std::max(size.x, size.y) / (kMost - 1));
@@ -187,7 +187,7 @@ GroundPhoto read(GDALDataset& data, const LocalFrame& frame, const culling::BoxD
   for (int r = 0; r < static_cast<int>(level.rows); r += kTile)
     for (int c = 0; c < static_cast<int>(level.columns); c += kTile) {
       const TilePlaces places(place, frame, photo, {c, r});
-      fill_tile(srgb, photo, {c, r}, places, picture.read(places.bounds(), 2 * kTile));
+      fill_tile(photo, {c, r}, places, picture.read(places.bounds(), 2 * kTile));
     }
   if (std::ranges::all_of(level.texels, [](const Texel& t) { return t[3] == 0; }))
     throw std::runtime_error("has nothing where the city is");
