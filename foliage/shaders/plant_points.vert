@@ -10,6 +10,15 @@ layout(location = 1) flat out float out_alpha;
 layout(location = 2) flat out uint out_hash;
 layout(location = 7) flat out uvec2 out_share;
 
+// By what the scales of a tree multiply areas, as they look from there: across times along its axis from a side, across
+// twice from above.
+float scaled_area(TreeRecord tree, vec3 rel) {
+  vec2 s = scales2(tree);
+  vec3 axis = vec3(tree.row_x.z, tree.row_y.z, tree.row_z.z);
+  float along = dot(axis, rel), up2 = min(along * along / max(s.y * dot(rel, rel), 1e-30), 1.0);
+  return sqrt(s.x * mix(s.y, s.x, up2));
+}
+
 void main() {
   uint slot = uint(gl_VertexID);
   uvec2 group = groups[totals.capacity.quad_groups + totals.capacity.line_groups + slot / kPointGroup];
@@ -26,9 +35,9 @@ void main() {
   TreeRecord tree = trees[item.record];
   out_share = share_of(tree);
   vec3 rel = swayed(tree, point.position_area.xyz, point.rest.x);
-  vec2 s = scales2(tree);
   gl_Position = clip_position(rel);
-  float pixels = point.position_area.w * item.scale * sqrt(s.x * s.y) * facing_pixels(rel, depth_of(rel, gl_Position));
+  float area = point.position_area.w * item.scale * scaled_area(tree, rel);
+  float pixels = area * facing_pixels(rel, depth_of(rel, gl_Position));
   pixels *= clamp((item.edge - float(rank)) / item.fade, 0.0, 1.0);
   out_alpha = min(pixels, 1.0);  // less than a pixel is drawn as a part of one
   out_hash = mixed(tree.hash + rank);

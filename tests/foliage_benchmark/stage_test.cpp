@@ -7,6 +7,7 @@
 #include "apps/foliage_benchmark/forest.h"
 #include "apps/foliage_benchmark/popping.h"
 #include "apps/foliage_benchmark/sheet.h"
+#include "apps/foliage_benchmark/stand_in.h"
 #include "foliage/generate.h"
 #include "foliage/import/species.h"
 #include "foliage/prepare.h"
@@ -240,6 +241,27 @@ TEST_CASE("forest: blocks hold all trees, one after the other, near each other")
     const auto &a = ordered[i - 1], &b = ordered[i];
     CHECK((b.block == a.block || b.block == a.block + 1));
     if (b.block == a.block) CHECK(static_cast<double>(glm::distance(a.position, b.position)) < 3 * spacing * 1.5);
+  }
+}
+
+TEST_CASE("stage: a tree twice as slender or stout as by nature covers what it should from all sides") {
+  const gl::HeadlessContext context;
+  const std::vector<foliage::PreparedPlant> plants{prepare(grown_dense("oak", 60'000), {.visibility_side = 0})};
+  const foliage::PreparedPlant& plant = plants.front();
+  for (const float slender : {0.5F, 2.0F}) {
+    const std::vector<foliage::TreeSite> sites{
+        foliage::make_site(plant, 0, slender * plant.height_m, plant.crown_radius_m, 0.3F, 1)};
+    Stage stage(plants, sites);
+    for (const double elevation : {0.0, 0.8, 1.5}) {
+      const Shot shot = shot_of(extent_of(plant), 0.3, elevation, 24);
+      stage.set_law(foliage::Law::full);
+      const Picture full = stage.draw({0, 1}, shot, {1, Sampling::fine});
+      stage.set_law(foliage::Law::ours);
+      const ImageError error = image_error(full, stage.draw({0, 1}, shot, {1, Sampling::fine}));
+      INFO("height " << slender << " elevation " << elevation << " points " << stage.shown().points);
+      CHECK(stage.shown().points > 0);
+      CHECK(error.cover == Approx(1).epsilon(0.06));
+    }
   }
 }
 
