@@ -22,11 +22,6 @@ std::uint32_t points_of(const PreparedPlant& plant, const TreeSite& site) {
   return static_cast<std::uint32_t>(std::clamp(std::ceil(wanted), 1.0, most));
 }
 
-Vec3 normal_of(std::uint32_t bits) {
-  const auto part = [&](int shift) { return static_cast<float>(static_cast<int>(bits << shift) >> 22) / 511; };
-  return {part(22), part(12), part(2)};
-}
-
 Vec3 turned(const TreeSite& site, const Vec3& v) {
   return {v.x * site.turn.x - v.y * site.turn.y, v.x * site.turn.y + v.y * site.turn.x, v.z};
 }
@@ -36,7 +31,7 @@ LeafPoint placed(const LeafPoint& point, const TreeSite& site, float scale) {
   LeafPoint out = point;
   out.position = site.position + turned(site, point.position * size);
   out.area *= scale * site.radius * site.height;
-  out.normal = pack_normal(glm::normalize(turned(site, normal_of(point.normal) / size)));
+  out.normal = pack_normal(glm::normalize(turned(site, unpack_normal(point.normal) / size)));
   out.tree = site.hash;
   return out;
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// A tree as layered depth mosaics, for far trees.  [Zhang 2004, LDM-Pack]
-///   const LdmPack pack = make_ldm_pack(ldm_ball(plant), {}, sampler);  // foliage/make_ldm.h, foliage/gl/ldm_sampler.h
+///   const LdmPack pack = make_ldm_pack(ldm_ball(plant), {}, LdmSampler(plant));  // foliage/make_ldm.h, ldm_sampler.h
 ///   choose_ldm(...);                                                   // foliage/ldm_select.h, each frame
 /// Seen from each of some directions, by parallel rays, the plant's ball is cut across into slabs; each slab is a
 /// picture of what it holds, hidden by other slabs or not. A mosaic is a rectangle of such a picture, put at the mean

@@ -60,14 +60,6 @@ std::array<Piece, 2> triangles(const PlantQuad& quad) {
   return is_triangle(quad) ? halves(quad, first) : std::array{first, second};
 }
 
-Vec3 unpacked_normal(std::uint32_t packed) {
-  const auto part = [&](std::uint32_t shift) {
-    const int v = static_cast<int>((packed >> shift) & 1023U);
-    return static_cast<float>(v > 511 ? v - 1024 : v) / 511;
-  };
-  return {part(0), part(10), part(20)};
-}
-
 std::uint32_t packed_colour(const Vec3& linear, float contrast) {
   auto out = static_cast<std::uint32_t>(std::lround(contrast * 255)) << 24;
   for (int k = 0; k < 3; ++k) out |= std::uint32_t{srgb_of_linear(linear[k])} << (8 * k);
@@ -81,7 +73,7 @@ CloudPoint point_at(const PlantQuad& quad, const Weights& w, Organ organ) {
   point.shade = 0;
   for (std::size_t k = 0; k < 4; ++k) {
     const auto share = static_cast<float>(w[static_cast<int>(k)]);
-    point.normal += unpacked_normal(quad.normals[k]) * share;
+    point.normal += unpack_normal(quad.normals[k]) * share;
     point.shade += static_cast<float>(quad.shades[k]) / 255 * share;
   }
   point.level = quad.normals[0] >> 30;

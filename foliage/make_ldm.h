@@ -1,8 +1,7 @@
 #pragma once
 /// From a plant to its pack.
-///   LdmSamplerGl sampler(plant);                                    // foliage/gl/ldm_sampler.h
 ///   LdmTally tally;
-///   const LdmPack pack = make_ldm_pack(ldm_ball(plant), {}, std::ref(sampler), progress, &tally);
+///   const LdmPack pack = make_ldm_pack(ldm_ball(plant), {}, LdmSampler(plant), progress, &tally);  // ldm_sampler.h
 #include <functional>
 
 #include "foliage/ldm_pack.h"

@@ -95,6 +95,11 @@ std::uint32_t pack_normal(const Vec3& normal) {
   return bits(normal.x) | (bits(normal.y) << 10) | (bits(normal.z) << 20);
 }
 
+Vec3 unpack_normal(std::uint32_t bits) {
+  const auto part = [&](int shift) { return static_cast<float>(static_cast<int>(bits << shift) >> 22) / 511; };
+  return {part(22), part(12), part(2)};
+}
+
 std::uint16_t pack_uv(float v) {
   return static_cast<std::uint16_t>(std::lround(std::clamp(v / kUvRange, 0.0F, 1.0F) * 65535));
 }

@@ -53,6 +53,7 @@ class CrownLight {
 
 /// Signed normalised 10-10-10-2 of a unit vector.
 std::uint32_t pack_normal(const Vec3& normal);
+Vec3 unpack_normal(std::uint32_t bits);
 /// Unsigned normalised, of [0, kUvRange]; cut off there.
 std::uint16_t pack_uv(float v);
 /// Unsigned normalised; cut off.

@@ -90,6 +90,13 @@ void put(const GeoPoint& from, double* to) {
   to[2] = from.height_m;
 }
 
+using Task = std::function<void()>;
+
+void run_task(void* argument) {
+  const std::unique_ptr<Task> task(static_cast<Task*>(argument));
+  (*task)();
+}
+
 Host host_of(const manzana_host* given) {
   if (given == nullptr) return {};
   const manzana_host h = *given;
@@ -97,6 +104,7 @@ Host host_of(const manzana_host* given) {
   if (h.log != nullptr) host.log = [h](const std::string& line) { h.log(h.user, line.c_str()); };
   if (h.request_repaint != nullptr) host.request_repaint = [h] { h.request_repaint(h.user); };
   host.get_proc_address = h.get_proc_address;
+  if (h.run != nullptr) host.run = [h](Task task) { h.run(h.user, run_task, new Task(std::move(task))); };
   return host;
 }
 
@@ -262,7 +270,7 @@ void manzana_view_update(manzana_view* view, const manzana_camera* cameras, size
   std::vector<HostCamera> eyes(count);
   std::transform(cameras, cameras + count, eyes.begin(), camera_of);
   const Update& now = view->view.update(eyes, seconds);
-  if (update != nullptr) *update = {now.bytes_to_upload, now.gpu_bytes, now.shown ? 1 : 0};
+  if (update != nullptr) *update = {now.bytes_to_upload, now.far_trees_left, now.gpu_bytes, now.shown ? 1 : 0};
   for (std::size_t i = 0; seen != nullptr && i < count; ++i) {
     const Update::Seen& s = now.cameras[i];
     seen[i] = {s.blocks, s.buildings, s.surfaces, s.trees, s.cars, s.nodes};
@@ -275,6 +283,8 @@ int manzana_view_render(manzana_view* view, size_t camera, manzana_error* error)
     return 1;
   });
 }
+
+int manzana_view_complete(const manzana_view* view) { return view->view.complete() ? 1 : 0; }
 
 int manzana_view_pick(manzana_view* view, size_t camera, int32_t x, int32_t y, int32_t width, int32_t height,
                       uint32_t* ids, manzana_error* error) {

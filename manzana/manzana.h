@@ -124,8 +124,11 @@ MANZANA_API void manzana_model_upright(const manzana_model* model, const double 
 typedef struct manzana_host {
   void* user;
   void (*log)(void* user, const char* line);           /* may be NULL */
-  void (*request_repaint)(void* user);                 /* may be NULL; from show's and render's threads */
+  void (*request_repaint)(void* user);                 /* may be NULL; from the threads of show, render and tasks */
   void (*(*get_proc_address)(const char* name))(void); /* NULL: EGL's */
+  /* Runs task(argument), once, on another thread of the host's: what far trees need is made there. A task may outlast
+   * the view. NULL: threads of the view's own, which are there while far trees lack something. */
+  void (*run)(void* user, void (*task)(void* argument), void* argument);
 } manzana_host;
 
 typedef struct manzana_view_options {
@@ -159,6 +162,7 @@ typedef struct manzana_seen {
 
 typedef struct manzana_update {
   uint64_t bytes_to_upload; /* 0: all is there */
+  uint64_t far_trees_left;  /* what far trees wait for */
   uint64_t gpu_bytes;
   int32_t shown; /* what is new starts hidden */
 } manzana_update;
@@ -167,6 +171,8 @@ typedef struct manzana_update {
 MANZANA_API void manzana_view_update(manzana_view* view, const manzana_camera* cameras, size_t count, double seconds,
                                      manzana_update* update, manzana_seen* seen);
 MANZANA_API int manzana_view_render(manzana_view* view, size_t camera, manzana_error* error);
+/* 1: the last render lacked nothing that was in sight. */
+MANZANA_API int manzana_view_complete(const manzana_view* view);
 /* width * height numbers of features and nodes, 0 for none; rows from the bottom, pixels of the viewport. */
 MANZANA_API int manzana_view_pick(manzana_view* view, size_t camera, int32_t x, int32_t y, int32_t width,
                                   int32_t height, uint32_t* ids, manzana_error* error);

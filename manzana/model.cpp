@@ -9,6 +9,7 @@
 #include "scenegraph/import/osm_file.h"
 #include "scenegraph/import/read_photo.h"
 #include "scenegraph/import/scene_plants.h"
+#include "scenegraph/tree_sites.h"
 
 namespace manzana {
 namespace {
@@ -23,7 +24,7 @@ std::shared_ptr<const Model> make_model(Imported imported, const LoadOptions& op
   Scene& scene = imported.scene;
   if (!options.orthophoto.empty()) scene.photo = read_ground_photo(options.orthophoto, scene.frame, scene.bounds, {});
   auto plants = plants_of(scene, options, progress);
-  return std::make_shared<Model>(std::move(imported), std::move(plants));
+  return std::make_shared<Model>(std::move(imported), std::move(plants), options.plant_cache);
 }
 
 /// In an arena of so many threads: with one TBB uses none but the caller's.
@@ -38,8 +39,11 @@ ImportOptions import_options(const LoadOptions& options) {
 
 }  // namespace
 
-Model::Model(Imported imported, std::vector<foliage::PreparedPlant> plants)
-    : imported_(std::move(imported)), plants_(std::move(plants)) {}
+Model::Model(Imported imported, std::vector<foliage::PreparedPlant> plants,
+             std::optional<std::filesystem::path> plant_cache)
+    : imported_(std::move(imported)), plants_(std::move(plants)), plant_cache_(std::move(plant_cache)) {
+  keep_leeway(imported_.scene, plants_);
+}
 
 std::shared_ptr<const Model> Model::load(const std::string& city, const LoadOptions& options,
                                          const Progress& progress) {

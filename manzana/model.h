@@ -38,7 +38,8 @@ struct LoadOptions {
   bool trees = true;                      ///< else none are prepared, and none are drawn
   bool attributes = true;                 ///< else what files say of things is not kept
   std::filesystem::path orthophoto = {};  ///< laid over the ground (scenegraph/import/read_photo.h); empty: none
-  std::optional<std::filesystem::path> plant_cache = {};  ///< where prepared plants are kept; none: they are not
+  /// Where prepared plants, and packs of far ones, are kept; none: they are not.
+  std::optional<std::filesystem::path> plant_cache = {};
 };
 
 class Model {
@@ -58,6 +59,8 @@ class Model {
   /// Must be shown with every picture, where it is not empty.
   const std::string& credits() const { return imported_.scene.attribution; }
   std::span<const foliage::PreparedPlant> plants() const { return plants_; }
+  /// Where what is made of plants is kept; none: it is not.
+  const std::optional<std::filesystem::path>& plant_cache() const { return plant_cache_; }
   Mat4d local_to_ecef() const;
   FeatureId features() const { return imported_.scene.tree.objects(); }
   /// 1 to features(); throws std::out_of_range.
@@ -66,12 +69,15 @@ class Model {
   /// For what a host puts into it; as many as one likes.
   std::shared_ptr<Nodes> new_nodes() const;
 
-  /// Of parts that the host has made or changed itself. `plants`: by TreeInstance::plant.
-  Model(Imported imported, std::vector<foliage::PreparedPlant> plants);
+  /// Of parts that the host has made or changed itself. `plants`: by TreeInstance::plant. What neighbours hide of trees
+  /// is found here, unless it is known: some seconds for 100 000 trees.
+  Model(Imported imported, std::vector<foliage::PreparedPlant> plants,
+        std::optional<std::filesystem::path> plant_cache = {});
 
  private:
   Imported imported_;
   std::vector<foliage::PreparedPlant> plants_;
+  std::optional<std::filesystem::path> plant_cache_;
 };
 
 }  // namespace manzana

@@ -11,6 +11,7 @@
 
 #include "gl/context.h"
 #include "gl/state.h"
+#include "manzana/resident.h"
 
 namespace manzana {
 namespace {
@@ -18,27 +19,10 @@ namespace {
 using culling::ClipDepth;
 using RendererPtr = std::unique_ptr<draw::Renderer>;
 
-/// What one camera sees of the shown model.
-struct Eye {
-  HostCamera host;
-  draw::Camera camera;
-  std::unique_ptr<VisibleSets> sets;
-  std::vector<SeenNode> nodes;
-};
-
 /// What a host asks for.
 struct Shown {
   std::shared_ptr<const Model> model;
   std::shared_ptr<const Nodes> nodes;
-};
-
-/// A model on its way to the device, or there.
-struct Resident {
-  std::shared_ptr<const Model> model;
-  std::shared_ptr<const Nodes> nodes;
-  RendererPtr renderer;
-  std::vector<Eye> eyes;
-  std::size_t left = 0;  ///< bytes to upload of what its eyes see
 };
 
 void load_functions_once(const Host& host) {
@@ -63,14 +47,7 @@ void set_depth(draw::Overlay& overlay, const HostCamera& host, const draw::Camer
   overlay.depth_offset = halved ? (at_infinity + 1) / 2 : at_infinity;
 }
 
-Update::Seen count_seen(const Scene& scene, const VisibleSets& sets) {
-  return {sets.block_count(),
-          count(scene.buildings.table, sets.objects()),
-          count(scene.surfaces.table, sets.objects()),
-          count(scene.trees.table, sets.objects()),
-          sets.cars.size(),
-          0};
-}
+constexpr std::uint64_t kFarTreeBytesAFrame = 1 << 20;
 
 draw::DrawOptions over_a_host() {
   draw::DrawOptions options;
@@ -108,13 +85,14 @@ struct View::State {
   }
   void take_wanted();
   RendererPtr make_renderer(const Model& model) const;
+  Sight sight() const { return {classes, drawing.layers.buildings, drawing.seconds}; }
+  Eye* eye_at(std::size_t i);
+  void bring_far_trees();
   void bring();
   void bring(std::size_t most);
   void begin();
   void paint();
   void swap_in();
-  void look(Resident& resident, std::span<const HostCamera> cameras, double seconds) const;
-  void see(const Resident& resident, Eye& eye, const HostCamera& camera, double seconds) const;
   void account();
   void forget() noexcept;
 };
@@ -177,7 +155,15 @@ void View::State::swap_in() {
   drop(shown);
   shown = std::move(coming);
   coming = {};
+  shown.shown = true;
+  if (!shown.far) shown.far = make_far_trees(shown, host);
   recolour = colour != nullptr;
+}
+
+/// What has been made since the last picture, so much in one.
+void View::State::bring_far_trees() {
+  shown.far->give(*shown.renderer, std::min<std::uint64_t>(options.upload_bytes_a_frame, kFarTreeBytesAFrame));
+  if (shown.far->ready()) repaint();
 }
 
 void View::State::paint() {
@@ -192,42 +178,31 @@ void View::State::paint() {
   shown.renderer->paint_buildings(shown.model->scene(), colours);
 }
 
-void View::State::look(Resident& resident, std::span<const HostCamera> cameras, double seconds) const {
-  if (resident.eyes.size() < cameras.size()) resident.eyes.resize(cameras.size());
-  for (std::size_t i = 0; i < cameras.size(); ++i) see(resident, resident.eyes[i], cameras[i], seconds);
-}
-
-void View::State::see(const Resident& resident, Eye& eye, const HostCamera& camera, double seconds) const {
-  const Scene& scene = resident.model->scene();
-  eye.host = camera;
-  eye.camera = draw::camera_of(camera.projection, camera.view, camera.depth, camera.viewport.height);
-  if (!eye.sets) eye.sets = std::make_unique<VisibleSets>(scene);
-  eye.sets->classes = classes;
-  eye.nodes.clear();
-  if (resident.nodes) {
-    find_visible(*resident.nodes, eye.camera.frustum, *eye.sets);
-    resident.nodes->find(eye.sets->nodes(), eye.nodes);
-  } else {
-    find_visible(scene, eye.camera.frustum, Structure::bqr, *eye.sets);
-  }
-  find_cars(scene, ticks(seconds), *eye.sets);
+/// Of what is shown; as it is drawn now, were a layer switched since the update.
+Eye* View::State::eye_at(std::size_t i) {
+  if (!shown.renderer || i >= shown.eyes.size()) return nullptr;
+  Eye& eye = shown.eyes[i];
+  if (eye.hides != hides(eye, sight())) see(shown, eye, HostCamera(eye.host), sight());
+  return &eye;
 }
 
 void View::State::account() {
   update.shown = shown.renderer != nullptr;
   update.bytes_to_upload = coming.renderer ? coming.left : shown.left;
+  update.far_trees_left = shown.far ? shown.far->left() : 0;
   update.gpu_bytes = 0;
   for (const Resident* resident : {&shown, &coming})
     if (resident->renderer) update.gpu_bytes += resident->renderer->memory().sum();
 }
 
 void View::State::forget() noexcept {
-  const std::shared_ptr<const Model> model = shown.model;
-  const std::shared_ptr<const Nodes> nodes = shown.nodes;
   gone.clear();
+  if (shown.far) shown.far->keep(*shown.renderer);
   shown.renderer.reset();
   coming.renderer.reset();
-  if (!coming.model) coming.model = model, coming.nodes = nodes;  // it comes back when it is drawn again
+  if (!coming.model) std::swap(coming, shown);  // it comes back when it is drawn again
+  if (coming.far) coming.far->drop();
+  coming.shown = false;
   coming.left = 0;
   coming.eyes.clear();
   shown = {};
@@ -262,14 +237,11 @@ const Update& View::update(std::span<const HostCamera> cameras, double seconds) 
   s.drawing.seconds = seconds;
   s.update.cameras.assign(cameras.size(), {});
   if (s.shown.model) {
-    s.look(s.shown, cameras, seconds);
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-      s.update.cameras[i] = count_seen(s.shown.model->scene(), *s.shown.eyes[i].sets);
-      s.update.cameras[i].nodes = s.shown.eyes[i].nodes.size();
-    }
+    see(s.shown, cameras, s.sight());
+    for (std::size_t i = 0; i < cameras.size(); ++i) s.update.cameras[i] = count_seen(s.shown, s.shown.eyes[i]);
   }
   if (s.coming.renderer) {
-    s.look(s.coming, cameras, seconds);
+    see(s.coming, cameras, s.sight());
     s.bring(0);
   }
   s.account();
@@ -283,33 +255,41 @@ void View::render(std::size_t i) {
   gl::set_clean_state();
   s.gone.clear();
   s.bring();
-  if (!s.shown.renderer || i >= s.shown.eyes.size()) return;
+  const Eye* const eye = s.eye_at(i);
+  if (eye == nullptr) return;
   s.paint();
-  const Eye& eye = s.shown.eyes[i];
+  s.bring_far_trees();
   draw::Renderer& renderer = *s.shown.renderer;
-  const draw::PixelRect& viewport = eye.host.viewport;
+  const draw::PixelRect& viewport = eye->host.viewport;
   renderer.resize({viewport.width, viewport.height}, i);
-  if (renderer.bring(eye.nodes, s.options.upload_bytes_a_frame) > 0) s.repaint();
+  const std::size_t nodes_left = renderer.bring(eye->nodes, s.options.upload_bytes_a_frame);
   draw::DrawOptions drawing = s.drawing;
   drawing.upload_bytes = s.options.upload_bytes_a_frame;
-  s.shown.left = renderer.draw(s.shown.model->scene(), *eye.sets, eye.camera, drawing, eye.nodes).bytes_to_bring;
+  s.shown.left =
+      nodes_left + renderer.draw(s.shown.model->scene(), *eye->sets, eye->camera, drawing, eye->nodes).bytes_to_bring;
   if (s.shown.left > 0) s.repaint();
+  s.shown.far->want(renderer);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, saved.framebuffer());
   draw::Overlay overlay{.viewport = viewport, .linear = s.options.linear_framebuffer};
-  set_depth(overlay, eye.host, eye.camera);
+  set_depth(overlay, eye->host, eye->camera);
   renderer.overlay(overlay);
+}
+
+bool View::complete() const {
+  const State& s = *state_;
+  return s.shown.renderer && s.shown.left + s.shown.far->left() == 0;
 }
 
 void View::pick(std::size_t i, const draw::PixelRect& rect, std::span<FeatureId> ids) {
   State& s = *state_;
   assert(ids.size() == static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height));
   std::fill(ids.begin(), ids.end(), 0);
-  if (!s.shown.renderer || i >= s.shown.eyes.size()) return;
+  const Eye* const eye = s.eye_at(i);
+  if (eye == nullptr) return;
   const gl::SavedState saved;
   gl::set_clean_state();
-  const Eye& eye = s.shown.eyes[i];
-  s.shown.renderer->resize({eye.host.viewport.width, eye.host.viewport.height}, i);
-  const auto seen = s.shown.renderer->pick(s.shown.model->scene(), *eye.sets, eye.camera, rect, eye.nodes);
+  s.shown.renderer->resize({eye->host.viewport.width, eye->host.viewport.height}, i);
+  const auto seen = s.shown.renderer->pick(s.shown.model->scene(), *eye->sets, eye->camera, rect, eye->nodes);
   std::copy(seen.begin(), seen.end(), ids.begin());
 }
 

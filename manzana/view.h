@@ -16,6 +16,7 @@
 
 #include "culling/host_camera.h"
 #include "manzana/model.h"
+#include "scenegraph/draw/far_tree_maker.h"
 #include "scenegraph/draw/renderer.h"
 #include "scenegraph/nodes.h"
 
@@ -24,8 +25,14 @@ namespace manzana {
 /// What the host lends. Any of it may be missing.
 struct Host {
   std::function<void(const std::string& line)> log =
-      {};                                      ///< things to know, a line each; from the thread that they happen on
-  std::function<void()> request_repaint = {};  ///< another picture would differ; from show() and render()
+      {};  ///< things to know, a line each; from the thread that they happen on
+  /// Another picture would differ. From show(), from render(), and from tasks, but not between release() and the next
+  /// update(). It must not call the view.
+  std::function<void()> request_repaint = {};
+  /// Runs a task once, on another thread of the host's, some time. What far trees need is made there: packs of species,
+  /// a second's work each, groves of blocks, some milliseconds. A task may outlast the view. Without: threads of the
+  /// view's own, which are there while far trees lack something; none where drawing() has neither mosaics nor groves.
+  draw::Run run = {};
   /// As eglGetProcAddress and glfwGetProcAddress are; without one EGL's. Asked once a process.
   void (*(*get_proc_address)(const char* name))() = nullptr;
 };
@@ -46,13 +53,14 @@ struct HostCamera {
   draw::PixelRect viewport;  ///< in the host's framebuffer
 };
 
-/// What the next pictures will show, and what is still missing.
+/// What the next pictures will show, and what is still missing. Not counted: what stands behind buildings.
 struct Update {
   struct Seen {
     std::uint64_t blocks = 0, buildings = 0, surfaces = 0, trees = 0, cars = 0, nodes = 0;
   };
   std::vector<Seen> cameras;
   std::uint64_t bytes_to_upload = 0;  ///< of what is in sight; 0: all is there
+  std::uint64_t far_trees_left = 0;   ///< packs and groves that are being made
   std::uint64_t gpu_bytes = 0;        ///< held of the device
   bool shown = false;                 ///< the city is drawn; new ones start hidden
 };
@@ -77,6 +85,9 @@ class View {
   /// Draws what camera `i` of the last update sees into the bound framebuffer, over what is there, by its depth.
   void render(std::size_t i);
 
+  /// The last render() lacked nothing that was in sight: what it drew is final, until something moves. No GL.
+  bool complete() const;
+
   /// What stands in each pixel of a rectangle of camera i's viewport, rows from the bottom, into the host's memory:
   /// features, and nodes by their NodeId.
   void pick(std::size_t i, const draw::PixelRect& rect, std::span<FeatureId> ids);
@@ -97,7 +108,8 @@ class View {
   draw::DrawOptions& drawing();
   const draw::DrawOptions& drawing() const;
 
-  void release() noexcept;       ///< with the context current: frees all of the device. It may be drawn again
+  void release() noexcept;  ///< with the context current: frees all of the device. It may be drawn again. A thread of
+                            ///< the view's own ends first: a second, at most
   void context_lost() noexcept;  ///< the context is gone: nothing is asked of it. It may be drawn again in another
 
  private:

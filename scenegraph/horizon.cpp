@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -101,6 +100,15 @@ culling::BoxD box_of(const Scene& scene, std::uint32_t object) {
   return {Vec3d(-kInfinity), Vec3d(kInfinity)};
 }
 
+bool all_there(const LayerTable& table, std::span<const ObjectRun> objects, const Horizon::IsThere& there) {
+  return std::ranges::all_of(objects, [&](const ObjectRun& run) {
+    const ObjectRun rows = table.rows(run);
+    for (std::uint32_t row = rows.first; row < rows.last; ++row)
+      if (!there(row)) return false;
+    return true;
+  });
+}
+
 }  // namespace
 
 std::vector<Horizon::Wall> upright_walls(const Scene& scene, std::uint32_t building) {
@@ -139,30 +147,42 @@ const std::vector<Horizon::Wall>& Horizon::walls_of(const Scene& scene, std::uin
 
 void Horizon::list_blocks(const VisibleSets& sets) {
   near_.clear();
-  for (const LeafRun& run : sets.answer.blocks())
+  for (const LeafRun& run : sets.blocks())
     for (std::uint32_t b = run.first; b < run.last; ++b)
       near_.push_back({plan_distance(Vec3(boxes_[b].min - eye_), Vec3(boxes_[b].max - eye_)), b, run.planes});
   put_nearest_first(near_);
 }
 
-void Horizon::hide(const Scene& scene, const Vec3d& eye, VisibleSets& sets) {
-  assert(!sets.with_nodes);
-  eye_ = eye;
-  std::fill(columns_.begin(), columns_.end(), Column{});
+void Horizon::hide(const Scene& scene, const Eye& eye, VisibleSets& sets) {
+  eye_ = eye.at;
+  near_plane_ = {Vec3(eye.near.normal), static_cast<float>(eye.near.offset)};
+  sets.kept = sets.awaited = false;
   list_blocks(sets);
   sets.kept = true;
+  sweep(scene, sets, {});
+}
+
+void Horizon::reveal(const Scene& scene, VisibleSets& sets, const IsThere& there) {
+  sets.awaited = !all_there(scene.buildings.table, sets.kept_objects, there);
+  if (!sets.awaited) return;
+  sets.coming_objects.swap(sets.kept_objects);
+  sweep(scene, sets, there);
+}
+
+void Horizon::sweep(const Scene& scene, VisibleSets& sets, const IsThere& there) {
+  std::fill(columns_.begin(), columns_.end(), Column{});
   sets.kept_blocks.clear();
   sets.kept_objects.clear();
   for (const Near& near : near_) {
     if (hidden(boxes_[near.number])) continue;
     sets.kept_blocks.push_back({near.number, near.number + 1, near.planes});
-    keep_objects(scene, near.number, sets);
+    keep_objects(scene, near.number, sets, there);
   }
   put_in_order(sets.kept_objects);
 }
 
 /// Of a block that is not hidden as a whole, from near to far, those objects that are not.
-void Horizon::keep_objects(const Scene& scene, std::uint32_t block, VisibleSets& sets) {
+void Horizon::keep_objects(const Scene& scene, std::uint32_t block, VisibleSets& sets, const IsThere& there) {
   const auto runs = sets.answer.objects().first(sets.city_runs);
   const ObjectRun all = scene.tree.block_objects[block];
   objects_.clear();
@@ -177,7 +197,8 @@ void Horizon::keep_objects(const Scene& scene, std::uint32_t block, VisibleSets&
     const culling::BoxD box = box_of(scene, object.number);
     if (hidden(box)) continue;
     append(sets.kept_objects, {object.number, object.number + 1});
-    if (box.max.z > eye_.z) add_walls(scene, block, scene.buildings.table.rows({object.number, object.number + 1}));
+    const ObjectRun rows = scene.buildings.table.rows({object.number, object.number + 1});
+    if (box.max.z > eye_.z && (!there || (rows.first < rows.last && there(rows.first)))) add_walls(scene, block, rows);
   }
 }
 
@@ -225,6 +246,14 @@ void Horizon::add_walls(const Scene& scene, std::uint32_t block, const ObjectRun
   }
 }
 
+/// Whether any of an upright line of the wall lies before the near plane.
+bool Horizon::is_cut(const Vec2& at, const Wall& wall, float up) const {
+  constexpr float kClose = 0.01F;  // metres
+  const Vec3& n = near_plane_.normal;
+  const float z = (n.z > 0 ? wall.bottom : wall.top) + up;
+  return n.x * at.x + n.y * at.y + n.z * z + near_plane_.offset < kClose;
+}
+
 /// Walls that continue each other, clockwise about the eye. Columns at both ends are covered in part, and so not at
 /// all.
 void Horizon::add_chain(std::span<const Wall> chain, const Vec3& offset) {
@@ -244,7 +273,11 @@ void Horizon::add_chain(std::span<const Wall> chain, const Vec3& offset) {
       const float u = glm::dot(normal, edges_[column]), v = glm::dot(normal, edges_[column + 1]);
       const float slant = std::min(u, v) / away, nearest = away / std::max(u, v);
       Column with{};
-      if (away > kLeastAway && nearest > static_cast<float>(kNearest) && slant > 0)
+      const auto cut = [&](std::size_t edge, float part) {
+        return is_cut(edges_[edge] * (away / part), wall, offset.z);
+      };
+      if (away > kLeastAway && nearest > static_cast<float>(kNearest) && slant > 0 && !cut(column, u) &&
+          !cut(column + 1, v))
         with = {(wall.bottom + offset.z) * slant * (1 - kMargin), (wall.top + offset.z) * slant * (1 - kMargin),
                 (1 + kMargin) / slant};
       if (i == open) {

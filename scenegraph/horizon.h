@@ -6,12 +6,14 @@
 /// walls.
 ///   Horizon horizon(scene);
 ///   find_visible(scene, view, Structure::bqr, sets);
-///   horizon.hide(scene, view.eye, sets);                          // each frame
+///   horizon.hide(scene, {view.eye, sets.frustum.planes[culling::kNear]}, sets);    // each frame
 ///   find_cars(scene, tick, sets);
 ///   horizon.hide_cars(sets);
 /// Conservative: a wall hides only in directions that it, or the walls that continue it, cover in full, only what is
-/// farther than it anywhere there, and only if it is in the sets, so drawn. Walls with both ends upright count, of
-/// whatever file. Seen from above the roofs there are none, and it costs next to nothing.
+/// farther than it anywhere there, and only if it is drawn: in the sets, beyond the near plane, on the device. Walls
+/// with both ends upright count, of whatever file. Seen from above the roofs there are none, and it costs next to
+/// nothing. It is about an eye: an orthographic view has none.
+#include <functional>
 #include <optional>
 
 #include "scenegraph/visible.h"
@@ -22,12 +24,21 @@ class Horizon {
  public:
   explicit Horizon(const Scene& scene);
 
-  /// Of the last find_visible of the scene, without nodes; everything that the sets hold is taken as drawn, opaque, but
-  /// for what is nearer than kNearest. No allocation once all walls near the eye have been found.
-  void hide(const Scene& scene, const Vec3d& eye, VisibleSets& sets);
+  struct Eye {
+    Vec3d at{0, 0, 0};
+    culling::PlaneD near = culling::kNoPlane;  ///< relative to it: what is before it is cut away
+  };
+  /// Of the last find_visible of the scene, with a host's nodes or without; what the sets hold is taken as opaque.
+  /// Nodes stay, and hide nothing. No allocation once all walls near the eye have been found.
+  void hide(const Scene& scene, const Eye& eye, VisibleSets& sets);
+  /// Of a building's row: whether it is on the device.
+  using IsThere = std::function<bool(std::uint32_t row)>;
+  /// After hide(): what is not there yet hides nothing, though things that it will hide are still not brought
+  /// (VisibleSets::to_bring). Costs a second sweep where something in sight is missing.
+  void reveal(const Scene& scene, VisibleSets& sets, const IsThere& there);
   /// After find_cars, those that the same walls hide.
   void hide_cars(VisibleSets& sets) const;
-  static constexpr double kNearest = 2;  ///< metres: what is nearer may be cut away by a near plane
+  static constexpr double kNearest = 2;  ///< metres: nearer walls hide nothing
 
   /// A wall that stands upright; metres along L's axes, from its block's origin. Seen from outside it runs from left to
   /// right.
@@ -47,14 +58,17 @@ class Horizon {
   };
   void list_blocks(const VisibleSets& sets);
   bool hidden(const culling::BoxD& box) const;
-  void keep_objects(const Scene& scene, std::uint32_t block, VisibleSets& sets);
+  void sweep(const Scene& scene, VisibleSets& sets, const IsThere& there);
+  void keep_objects(const Scene& scene, std::uint32_t block, VisibleSets& sets, const IsThere& there);
+  bool is_cut(const Vec2& at, const Wall& wall, float up) const;
   void add_walls(const Scene& scene, std::uint32_t block, const culling::ObjectRun& buildings);
   void add_chain(std::span<const Wall> chain, const Vec3& offset);
   void cover(std::size_t column, const Column& with);
   const std::vector<Wall>& walls_of(const Scene& scene, std::uint32_t building);
 
   Vec3d eye_{0, 0, 0};
-  std::vector<Vec2> edges_;  ///< between columns: directions of unit length
+  culling::Plane near_plane_;  ///< relative to it
+  std::vector<Vec2> edges_;    ///< between columns: directions of unit length
   std::vector<Column> columns_;
   std::vector<std::optional<std::vector<Wall>>> walls_;  ///< a row a building, once it was near
   std::vector<culling::BoxD> boxes_;                     ///< a row a block, in L

@@ -54,6 +54,11 @@ std::vector<foliage::TreeSite> tree_sites(const Scene& scene, std::span<const fo
   return sites;
 }
 
+std::span<const foliage::TreeSite> sites_of(std::span<const foliage::TreeSite> all, std::uint32_t block) {
+  const auto run = std::ranges::equal_range(all, block, {}, &foliage::TreeSite::block);
+  return {run.begin(), run.end()};
+}
+
 void keep_leeway(Scene& scene, std::span<const foliage::PreparedPlant> plants) {
   scene.trees.leeway.clear();
   for (const foliage::TreeSite& site : tree_sites(scene, plants))

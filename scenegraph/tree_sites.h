@@ -13,6 +13,9 @@ namespace manzana {
 /// A site for each tree, in the same order. Throws std::invalid_argument for a tree without a plant.
 std::vector<foliage::TreeSite> tree_sites(const Scene& scene, std::span<const foliage::PreparedPlant> plants);
 
+/// Those of a block; all are block after block.
+std::span<const foliage::TreeSite> sites_of(std::span<const foliage::TreeSite> all, std::uint32_t block);
+
 void keep_leeway(Scene& scene, std::span<const foliage::PreparedPlant> plants);
 
 }  // namespace manzana

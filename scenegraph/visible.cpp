@@ -13,7 +13,7 @@ namespace {
 void find_in(const culling::BqrTree& tree, const culling::Planes& planes, VisibleSets& sets) {
   cull(tree, planes, sets.answer, {.classes = sets.classes, .blocks = true});
   sets.city_runs = ordered(sets.answer).size();
-  sets.kept = false;
+  sets.kept = sets.awaited = false;
 }
 
 }  // namespace

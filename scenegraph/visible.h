@@ -23,6 +23,10 @@ struct VisibleSets {
   std::span<const culling::ObjectRun> objects() const {
     return kept ? std::span<const culling::ObjectRun>(kept_objects) : answer.objects().first(city_runs);
   }
+  /// What should be on the device: those, or what they will be once all of it is there.
+  std::span<const culling::ObjectRun> to_bring() const {
+    return awaited ? std::span<const culling::ObjectRun>(coming_objects) : objects();
+  }
   /// In no order, disjoint.
   std::span<const culling::LeafRun> blocks() const {
     if (kept) return kept_blocks;
@@ -43,6 +47,8 @@ struct VisibleSets {
   bool kept = false;                          ///< only a part of the answer is seen: scenegraph/horizon.h
   std::vector<culling::LeafRun> kept_blocks;  ///< that part
   std::vector<culling::ObjectRun> kept_objects;
+  bool awaited = false;  ///< something that will hide others is not on the device yet
+  std::vector<culling::ObjectRun> coming_objects;
   culling::FrustumD frustum;                          ///< of the last view
   culling::ClassMask classes = culling::kAllClasses;  ///< what is looked for: scenegraph/classes.h
   std::vector<CarState> cars;

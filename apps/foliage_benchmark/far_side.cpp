@@ -1,8 +1,7 @@
 #include "apps/foliage_benchmark/far_side.h"
 
 #include "apps/foliage_benchmark/stage.h"
-#include "foliage/gl/ldm_sampler.h"
-#include "foliage/make_ldm.h"
+#include "foliage/far_pack.h"
 
 namespace manzana::foliage_benchmark {
 
@@ -11,11 +10,7 @@ FarSide::FarSide(std::span<const foliage::PreparedPlant> plants, std::span<const
       trees(plants.size(), shaders_with_mask()),
       groves(plants, all, all.empty() ? 0 : all.back().block + 1, shaders_with_mask()),
       maker(plants) {
-  constexpr int kFine = 2;  // as the walkthrough has it
-  for (std::uint32_t i = 0; i < plants.size(); ++i) {
-    foliage::LdmSamplerGl sampler(plants[i], kFine);
-    add_pack(trees, i, make_ldm_pack(ldm_ball(plants[i]), draw::kFarPack, std::ref(sampler)));
-  }
+  for (std::uint32_t i = 0; i < plants.size(); ++i) add_pack(trees, i, make_far_pack(plants[i]));
 }
 
 bool make_wanted(FarSide& far) {

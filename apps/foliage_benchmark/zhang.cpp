@@ -11,7 +11,7 @@
 #include "apps/foliage_benchmark/portrait.h"
 #include "apps/foliage_benchmark/stand_in.h"
 #include "apps/foliage_benchmark/times_md.h"
-#include "foliage/gl/ldm_sampler.h"
+#include "foliage/ldm_sampler.h"
 #include "foliage/make_ldm.h"
 #include "foliage/prepare.h"
 
@@ -60,9 +60,9 @@ struct Made {
 
 Made make(const PreparedPlant& plant, const Kind& kind) {
   const auto start = apps::Clock::now();
-  foliage::LdmSamplerGl sampler(plant, kind.fine);
   Made made;
-  made.packs.push_back(make_ldm_pack(ldm_ball(plant), kind.options, std::ref(sampler), {}, &made.tally));
+  made.packs.push_back(
+      make_ldm_pack(ldm_ball(plant), kind.options, foliage::LdmSampler(plant, kind.fine), {}, &made.tally));
   made.ms = apps::us_since(start) / 1000;
   return made;
 }

@@ -25,7 +25,8 @@ class Camera(c.Structure):
 
 
 class Update(c.Structure):
-    _fields_ = [("bytes_to_upload", c.c_uint64), ("gpu_bytes", c.c_uint64), ("shown", c.c_int32)]
+    _fields_ = [("bytes_to_upload", c.c_uint64), ("far_trees_left", c.c_uint64), ("gpu_bytes", c.c_uint64),
+                ("shown", c.c_int32)]
 
 
 class Feature(c.Structure):
@@ -37,7 +38,8 @@ Repaint = c.CFUNCTYPE(None, c.c_void_p)
 
 
 class Host(c.Structure):
-    _fields_ = [("user", c.c_void_p), ("log", c.c_void_p), ("request_repaint", Repaint), ("get_proc_address", c.c_void_p)]
+    _fields_ = [("user", c.c_void_p), ("log", c.c_void_p), ("request_repaint", Repaint), ("get_proc_address", c.c_void_p),
+                ("run", c.c_void_p)]
 
 
 def load_library(name):
@@ -58,7 +60,7 @@ class CityWidget(QtWidgets.QOpenGLWidget):
 
     def __init__(self, library, city):
         super().__init__()
-        self.m, self.gl, self.model, self.shown = library, c.CDLL("libGL.so.1"), None, False
+        self.m, self.gl, self.model, self.complete = library, c.CDLL("libGL.so.1"), None, False
         self.failed = False
         self.eye = [0.0, -35.0, 500.0]  # degrees round up, degrees down, metres away
         self.host = Host(request_repaint=Repaint(lambda user: self.repaint_asked.emit()))
@@ -105,7 +107,7 @@ class CityWidget(QtWidgets.QOpenGLWidget):
         self.m.manzana_view_update(self.view, c.byref(self.camera()), c.c_size_t(1), c.c_double(0), c.byref(update), None)
         if not self.m.manzana_view_render(self.view, c.c_size_t(0), c.byref(error)):
             self.told.emit(error.text.decode())
-        self.shown = bool(update.shown)
+        self.complete = bool(self.m.manzana_view_complete(self.view))
 
     def mousePressEvent(self, event):
         self.last, self.moved = event.pos(), False
@@ -156,7 +158,7 @@ def main():
     window.show()
     if options.screenshot:
         def look():
-            if city.shown:
+            if city.complete:
                 city.told.emit(city.identify(city.width() // 2, city.height() // 2))
                 print(window.statusBar().currentMessage())
                 window.grab().save(options.screenshot)

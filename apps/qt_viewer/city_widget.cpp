@@ -4,21 +4,25 @@
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QSurfaceFormat>
+#include <QThreadPool>
 #include <QWheelEvent>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "foliage/import/load_plant.h"
 #include "scenegraph/import/model_file.h"
 
 namespace manzana::qt {
 namespace {
 
-/// From whichever thread to the widget's.
+/// From whichever thread to the widget's; tasks to Qt's pool.
 Host host_of(QWidget* widget) {
-  return {.request_repaint = [widget] {
+  const auto repaint = [widget] {
     QMetaObject::invokeMethod(
         widget, [widget] { widget->update(); }, Qt::QueuedConnection);
-  }};
+  };
+  const auto run = [](std::function<void()> task) { QThreadPool::globalInstance()->start(std::move(task)); };
+  return {.request_repaint = repaint, .run = run};
 }
 
 }  // namespace
@@ -49,7 +53,7 @@ void CityWidget::open(const std::string& city) {
     std::shared_ptr<const Model> model;
     QString error;
     try {
-      model = Model::load(city, {.threads = 2});
+      model = Model::load(city, {.threads = 2, .plant_cache = foliage::default_cache_folder()});
     } catch (const std::exception& e) {
       error = QString::fromUtf8(e.what());
     }

@@ -22,6 +22,7 @@ class CityWidget : public QOpenGLWidget {
   void open(const std::string& city);
   const Model* model() const { return model_.get(); }
   bool shown() const { return update_.shown; }
+  bool complete() const { return view_.complete(); }
   draw::DrawOptions& drawing() { return view_.drawing(); }  ///< update() afterwards
 
   /// A building as glTF onto what stands in a pixel of the widget; told() why not. 0: there is no place for it.

@@ -13,7 +13,7 @@ namespace {
 void save_and_end(manzana::qt::ViewerWindow& window, const QString& file) {
   auto* timer = new QTimer(&window);
   QObject::connect(timer, &QTimer::timeout, [&window, file] {
-    if (!window.city().shown()) return;
+    if (!window.city().complete()) return;
     window.identify({window.city().width() / 2, window.city().height() / 2});
     QApplication::exit(window.grab().save(file) ? 0 : 1);
   });

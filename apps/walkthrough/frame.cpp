@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 
 #include "apps/walkthrough/options.h"
+#include "foliage/import/ldm_cache.h"
 #include "gl/context.h"
 #include "scenegraph/draw/frame_data.h"
 
@@ -41,37 +43,38 @@ draw::DrawOptions options_within_budget(const Stage& stage) {
 
 constexpr std::size_t kGroveBytesAFrame = 256 << 10;
 
-/// Packs that far trees asked for; true if there are new ones.
-bool add_packs(Stage& stage) {
-  bool added = false;
-  if (!stage.packs) return added;
-  stage.packs->want(stage.renderer.packs_wanted());
-  while (auto made = stage.whole ? stage.packs->wait_and_take() : stage.packs->take()) {
-    stage.renderer.add_pack(made->key, std::move(made->value));
-    added = true;
-  }
-  return added;
+/// Brings what is in sight; what is still missing hides nothing. Seconds.
+double bring(Stage& stage) {
+  Stopwatch watch;
+  stage.renderer.bring(stage.scene, stage.sets, stage.options.upload_bytes);
+  const double seconds = watch.lap();
+  stage.horizon.reveal(stage.scene, stage.sets, [&](std::uint32_t row) { return stage.renderer.holds_building(row); });
+  return seconds;
 }
 
-/// The same of groves: so many in a frame that nobody waits for them, unless a frame is to be whole.
-bool add_groves(Stage& stage) {
-  bool added = false;
-  if (!stage.groves) return added;
-  stage.groves->want(stage.renderer.groves_wanted());
-  for (std::size_t bytes = 0; stage.whole || bytes < kGroveBytesAFrame;) {
-    const auto made = stage.whole ? stage.groves->wait_and_take() : stage.groves->take();
-    if (!made) break;
-    added = stage.renderer.add_grove(made->key, made->value) || added;
-    bytes += made->value.points.size() * sizeof(foliage::LeafPoint);
+/// What far trees asked for: so much in a frame that nobody waits for it, unless a frame is to be whole. True: there is
+/// something new.
+bool add_far_trees(Stage& stage) {
+  if (!stage.far) return false;
+  stage.far->want(stage.renderer);
+  return stage.whole ? stage.far->give_all(stage.renderer) : stage.far->give(stage.renderer, kGroveBytesAFrame);
+}
+
+/// Kept on disk.
+std::optional<foliage::LdmPack> pack_of(const foliage::PreparedPlant& plant) {
+  const auto tell = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
+  try {
+    return load_or_make_far_pack(plant, foliage::default_cache_folder(), tell);
+  } catch (const std::exception& error) {
+    tell(plant.name + ": far trees stay as near ones are: " + error.what());
+    return std::nullopt;
   }
-  return added;
 }
 
 }  // namespace
 
 void make_far_trees(Stage& stage, std::span<const foliage::PreparedPlant> plants) {
-  stage.packs.emplace(pack_maker(plants));
-  stage.groves.emplace(grove_maker(plants, stage.renderer));
+  stage.far.emplace(draw::FarTreeSource{plants, stage.renderer.sites()}, draw::FarTreeHow{.make_pack = pack_of});
 }
 
 Stage::Stage(const Scene& city, std::span<const foliage::PreparedPlant> plants, const draw::Quality& quality,
@@ -106,22 +109,22 @@ FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {
   Stopwatch watch;
   find_visible(stage.scene, seen_by, stage.structure, stage.sets);
   const bool hide = stage.structure == Structure::bqr && stage.options.layers.buildings;
-  if (hide) stage.horizon.hide(stage.scene, seen_by.eye, stage.sets);
+  if (hide) stage.horizon.hide(stage.scene, {seen_by.eye, stage.sets.frustum.planes[culling::kNear]}, stage.sets);
   row.cull_us = watch.lap() * 1e6;
+  const double bring_s = hide ? bring(stage) : 0;
   find_cars(stage.scene, ticks(seconds), stage.sets);
   if (hide) stage.horizon.hide_cars(stage.sets);
-  row.update_us = watch.lap() * 1e6;
+  row.update_us = (watch.lap() - bring_s) * 1e6;
   stage.options.seconds = seconds;
   stage.timer.begin();
   draw::FrameCounts counts = stage.renderer.draw(stage.scene, stage.sets, view, options_within_budget(stage));
-  const bool new_packs = add_packs(stage), new_groves = add_groves(stage);
-  if ((new_packs || new_groves) && stage.whole) {
+  if (add_far_trees(stage) && stage.whole) {
     watch.lap();
     counts = stage.renderer.draw(stage.scene, stage.sets, view, options_within_budget(stage));
   }
   stage.timer.end();
   if (stage.wait || must_wait(stage)) glFinish();
-  row.draw_ms = watch.lap() * 1e3;
+  row.draw_ms = (watch.lap() + bring_s) * 1e3;
   row.meshes_missing = counts.bytes_without_room;
   row.blocks_visible = stage.sets.block_count();
   row.buildings_visible = counts.buildings;

@@ -7,9 +7,9 @@
 #include <span>
 
 #include "apps/walkthrough/frame_log.h"
-#include "apps/walkthrough/pack_maker.h"
 #include "foliage/time_budget.h"
 #include "gl/frame_timer.h"
+#include "scenegraph/draw/far_tree_maker.h"
 #include "scenegraph/draw/renderer.h"
 #include "scenegraph/horizon.h"
 #include "scenegraph/visible.h"
@@ -29,10 +29,9 @@ struct Stage {
   Horizon horizon;
   draw::Size size;
   Structure structure = Structure::bqr;
-  draw::DrawOptions options;     ///< with options.frozen set, that view culls and `view` looks at it from outside
-  bool wait = true;              ///< for the device at the end, so that draw_ms says all
-  std::optional<Packs> packs;    ///< of far trees; none: they are drawn as near ones are
-  std::optional<Groves> groves;  ///< of blocks of them
+  draw::DrawOptions options;  ///< with options.frozen set, that view culls and `view` looks at it from outside
+  bool wait = true;           ///< for the device at the end, so that draw_ms says all
+  std::optional<draw::FarTreeMaker> far;  ///< none: far trees are drawn as near ones are
   bool whole =
       false;  ///< a frame waits for the packs and groves that it asks for, so that two runs give equal pictures
   double tree_ms = 0;  ///< of a frame, that trees' vertices are kept to; 0: no limit

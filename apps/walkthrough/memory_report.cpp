@@ -85,6 +85,7 @@ MemoryReport report_memory(const Scene& scene, std::span<const foliage::Prepared
   return {{{"meshes of buildings and surfaces", held(device.meshes), meshes},
            {"plants", held(device.plants), share * held(device.plants)},
            {"lists of trees", held(device.lists)},
+           {"mosaics of far trees", held(device.packs)},
            {"groves", held(device.groves)},
            {"photo of the ground", held(device.photo)},
            {"nodes of a host", held(device.nodes)},

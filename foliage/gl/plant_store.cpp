@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "foliage/gl/leaf_texture.h"
+#include "foliage/leaf_texture.h"
 #include "gl/buffer.h"
 
 namespace manzana::foliage {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "files/whole_file.h"
+#include "foliage/far_pack.h"
 #include "foliage/import/cache_file.h"
 #include "foliage/import/plant_cache.h"
 
@@ -81,6 +82,12 @@ LdmPack load_or_make_pack(const PreparedPlant& plant, const std::optional<fs::pa
     tell(std::string(error.what()) + "; the pack is not kept");
   }
   return pack;
+}
+
+LdmPack load_or_make_far_pack(const PreparedPlant& plant, const std::optional<fs::path>& cache_folder,
+                              const TellLine& tell) {
+  return load_or_make_pack(
+      plant, cache_folder, kFarPack, [&] { return make_far_pack(plant); }, tell);
 }
 
 }  // namespace manzana::foliage

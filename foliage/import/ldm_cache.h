@@ -30,4 +30,8 @@ LdmPack read_pack(const std::filesystem::path& file);
 LdmPack load_or_make_pack(const PreparedPlant& plant, const std::optional<std::filesystem::path>& cache_folder,
                           const LdmOptions& options, const std::function<LdmPack()>& make, const TellLine& tell);
 
+/// The same of foliage/far_pack.h.
+LdmPack load_or_make_far_pack(const PreparedPlant& plant, const std::optional<std::filesystem::path>& cache_folder,
+                              const TellLine& tell);
+
 }  // namespace manzana::foliage

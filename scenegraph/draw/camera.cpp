@@ -102,6 +102,10 @@ Camera camera_of(const Mat4d& projection, const Mat4d& view, ClipDepth depth, do
   return camera;
 }
 
+culling::PlaneD near_plane(const Camera& camera) {
+  return {Vec3d(row(camera.view_projection, 3)), -camera.view_projection[3][2]};
+}
+
 double focal_px(const Camera& camera, double height_px) { return height_px / (2 * glm::length(camera.ray_up)); }
 
 }  // namespace manzana::draw

@@ -27,6 +27,9 @@ Camera camera_of(const culling::View& view);
 /// nothing. `height_px`: of the picture, for the distance of an orthographic eye.
 Camera camera_of(const Mat4d& projection, const Mat4d& view, culling::ClipDepth depth, double height_px);
 
+/// Of a perspective one, relative to the eye: what lies before it is not drawn.
+culling::PlaneD near_plane(const Camera& camera);
+
 /// Pixels of a metre at a distance of a metre, in a picture of that height.
 double focal_px(const Camera& camera, double height_px);
 

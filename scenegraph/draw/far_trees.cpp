@@ -50,10 +50,20 @@ bool has_pack(FarTrees& far, std::uint32_t plant) {
 FarTrees::FarTrees(std::size_t plants, const foliage::HostShaders& host)
     : pack_of(plants, kNone), drawer(std::make_unique<foliage::LdmDrawer>(packs, host, host)) {}
 
-void add_pack(FarTrees& far, std::uint32_t plant, foliage::LdmPack pack) {
+bool add_pack(FarTrees& far, std::uint32_t plant, foliage::LdmPack pack) {
+  if (far.pack_of[plant] != FarTrees::kNone) return false;
   far.pack_of[plant] = static_cast<std::uint32_t>(far.packs.size());
   far.packs.push_back(std::move(pack));
   far.news = true;
+  return true;
+}
+
+std::size_t bytes_of_packs(const FarTrees& far) {
+  double bytes = 0;
+  for (const foliage::LdmPack& pack : far.packs)
+    bytes += foliage::ldm_bytes(static_cast<double>(pack.colour.size() + pack.surface.size()) / 4) +
+             static_cast<double>(pack.mosaic_bytes());
+  return static_cast<std::size_t>(bytes);
 }
 
 namespace {

@@ -11,9 +11,6 @@
 
 namespace manzana::draw {
 
-/// Pictures from this level on are all that trees so small ask for.
-inline constexpr foliage::LdmOptions kFarPack{.nearest = 4};
-
 /// Heights in tolerated errors (pixels, where one may be wrong). An oak of 16 or 24 is truer to all detail as 9 or 50
 /// triangles of mosaics (SSIM 0.94 and 0.91) than as 470 or 1 550 primitives of our law (0.89 and 0.86); at 48 it is
 /// not.
@@ -34,7 +31,9 @@ struct FarTrees {
   foliage::LdmSelection chosen;
 };
 
-void add_pack(FarTrees& far, std::uint32_t plant, foliage::LdmPack pack);
+/// False: the plant has one.
+bool add_pack(FarTrees& far, std::uint32_t plant, foliage::LdmPack pack);
+std::size_t bytes_of_packs(const FarTrees& far);  ///< on the device
 
 struct TreesToSplit {
   const foliage::PlantTable& table;

@@ -201,7 +201,12 @@ std::size_t Renderer::bring(const Scene& scene, const VisibleSets& sets, std::si
     const std::size_t others = now.sum() - now.meshes;
     state_->meshes.limit(state_->gpu_bytes > others ? state_->gpu_bytes - others : 1);
   }
-  return state_->meshes.bring(scene, sets.objects(), state_->mesh_detail, most_bytes);
+  return state_->meshes.bring(scene, sets.to_bring(), state_->mesh_detail, most_bytes);
+}
+
+bool Renderer::holds_building(std::uint32_t row) const {
+  const LayerPieces& buildings = state_->meshes.buildings;
+  return buildings.held[buildings.shown[buildings.piece_of[row]].item].has_value();
 }
 
 DeviceMemory Renderer::memory() const {
@@ -213,6 +218,7 @@ DeviceMemory Renderer::memory() const {
                       .meshes_missing = s.meshes.missing_bytes(),
                       .plants = s.tree_bytes.plants,
                       .lists = s.tree_bytes.lists,
+                      .packs = bytes_of_packs(s.trees.far),
                       .groves = s.trees.groves.drawer->bytes(),
                       .nodes = s.nodes.device_bytes(),
                       .stream = s.stream.bytes()};
@@ -288,16 +294,21 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
 
 std::span<const std::uint32_t> Renderer::packs_wanted() const { return state_->trees.far.wanted; }
 
-void Renderer::add_pack(std::uint32_t plant, foliage::LdmPack pack) {
-  draw::add_pack(state_->trees.far, plant, std::move(pack));
+bool Renderer::add_pack(std::uint32_t plant, foliage::LdmPack pack) {
+  return draw::add_pack(state_->trees.far, plant, std::move(pack));
+}
+
+std::map<std::uint32_t, foliage::LdmPack> Renderer::take_packs() {
+  FarTrees& far = state_->trees.far;
+  std::map<std::uint32_t, foliage::LdmPack> packs;
+  for (std::uint32_t plant = 0; plant < far.pack_of.size(); ++plant)
+    if (far.pack_of[plant] != FarTrees::kNone) packs.emplace(plant, std::move(far.packs[far.pack_of[plant]]));
+  return packs;
 }
 
 std::span<const GroveWanted> Renderer::groves_wanted() const { return state_->trees.groves.wanted; }
 
-std::span<const foliage::TreeSite> Renderer::trees_of(std::uint32_t block) const {
-  const foliage::Run& run = state_->trees.groves.blocks[block].sites;
-  return std::span(state_->trees.sites).subspan(run.first, run.size());
-}
+std::shared_ptr<const std::vector<foliage::TreeSite>> Renderer::sites() const { return state_->trees.sites; }
 
 bool Renderer::add_grove(const GroveWanted& wanted, const foliage::Grove& grove) {
   return draw::add_grove(state_->trees.groves, wanted, grove);

@@ -6,6 +6,7 @@
 ///   renderer.resize({1280, 720});
 ///   FrameCounts counts = renderer.draw(scene, sets, view, options);
 ///   renderer.present(0);                                             // to the window's framebuffer
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -96,10 +97,10 @@ struct DeviceMemory {
   std::size_t meshes_all = 0;         ///< of the whole city, were it held
   std::size_t meshes_missing = 0;     ///< in sight now, and without room
   std::size_t plants = 0, lists = 0;  ///< of trees
-  std::size_t groves = 0;
+  std::size_t packs = 0, groves = 0;
   std::size_t photo = 0;  ///< of the ground
   std::size_t nodes = 0, stream = 0, pictures = 0;
-  std::size_t sum() const { return meshes + plants + lists + groves + photo + nodes + stream + pictures; }
+  std::size_t sum() const { return meshes + plants + lists + packs + groves + photo + nodes + stream + pictures; }
 };
 
 inline constexpr std::uint32_t kOwnColour = ~0U;
@@ -117,9 +118,10 @@ class Renderer {
   /// not compile (with its log) or the plants do not fit the device's buffers.
   Renderer(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& quality,
            std::size_t gpu_bytes = 0);
-  /// Brings meshes that are in sight, as draw() does, ahead of it; returns how many bytes are left.
+  /// Brings meshes of sets.to_bring(), as draw() does, ahead of it; returns how many bytes are left.
   std::size_t bring(const Scene& scene, const VisibleSets& sets, std::size_t most_bytes);
-  DeviceMemory memory() const;  ///< no GL
+  bool holds_building(std::uint32_t row) const;  ///< its mesh is on the device, or a level's; no GL
+  DeviceMemory memory() const;                   ///< no GL
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
@@ -133,14 +135,15 @@ class Renderer {
   FrameCounts draw(const Scene& scene, const VisibleSets& sets, const culling::View& view, const DrawOptions& options) {
     return draw(scene, sets, camera_of(view), options);
   }
-  /// Plants without a pack whose trees were small in the last picture: foliage/make_ldm.h makes packs, of kFarPack
-  /// (far_trees.h), anywhere and any time; until then their trees are drawn as near ones are.
+  /// Plants without a pack whose trees were small in the last picture: foliage/far_pack.h makes packs, anywhere and any
+  /// time (far_tree_maker.h); until then their trees are drawn as near ones are. False: it has one.
   std::span<const std::uint32_t> packs_wanted() const;
-  void add_pack(std::uint32_t plant, foliage::LdmPack pack);
-  /// Blocks whose trees were so small in the last picture that they could be one: foliage/grove.h makes groves of
-  /// trees_of(block), anywhere and any time. add_grove() is an upload; groves out of sight make room.
+  bool add_pack(std::uint32_t plant, foliage::LdmPack pack);
+  std::map<std::uint32_t, foliage::LdmPack> take_packs();  ///< all, by plant, before it goes: nothing is drawn any more
+  /// Blocks whose trees were so small in the last picture that they could be one: foliage/grove.h makes groves of their
+  /// sites, anywhere and any time. add_grove() is an upload; groves out of sight make room.
   std::span<const GroveWanted> groves_wanted() const;
-  std::span<const foliage::TreeSite> trees_of(std::uint32_t block) const;  ///< stays where it is
+  std::shared_ptr<const std::vector<foliage::TreeSite>> sites() const;     ///< of all trees
   bool add_grove(const GroveWanted& wanted, const foliage::Grove& grove);  ///< false: no room
   /// What was drawn of trees, by the newest frame that the GPU has finished: the last one after glFinish.
   foliage::Shown trees_shown() const;

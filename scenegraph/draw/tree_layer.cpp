@@ -37,7 +37,7 @@ void choose_detail(TreeLayerGpu& layer, std::span<const Vec4> rows, const TreeDe
   if (layer.asked.law != detail.law) layer.asked = make_tables(layer, detail.law);
   const foliage::Budget budget{.vertices = detail.vertices, .room = foliage::room_of(layer.extractor.capacity)};
   const auto error_with = [&](TreeLayerGpu::Tables& tables) {
-    const foliage::TreesSeen seen{layer.sites, rows, layer.far.near, detail.error_at_1m, heeds_neighbours(tables.law)};
+    const foliage::TreesSeen seen{*layer.sites, rows, layer.far.near, detail.error_at_1m, heeds_neighbours(tables.law)};
     return error_for(tables.costs, layer.store.table, seen, budget);
   };
   TreeLayerGpu::Tables* tables = &layer.asked;
@@ -65,8 +65,8 @@ void find_runs(const TreeLayer& trees, std::span<const culling::ObjectRun> objec
 
 foliage::TreesInView write_rows(TreeLayerGpu& layer, std::span<const Vec4> rows, const TreeDetail& detail,
                                 gl::StreamBuffer& stream) {
-  const auto out = stream.take<GLuint>(layer.sites.size());
-  const foliage::TreesSeen seen{layer.sites, rows, layer.runs, detail.error_at_1m};
+  const auto out = stream.take<GLuint>(layer.sites->size());
+  const foliage::TreesSeen seen{*layer.sites, rows, layer.runs, detail.error_at_1m};
   begin_frame(layer.groves);
   Groves* groves = detail.groves ? &layer.groves : nullptr;
   const std::uint32_t trees =
@@ -106,19 +106,19 @@ TreeLayerGpu::TreeLayerGpu(const Scene& scene, std::span<const foliage::Prepared
                            const foliage::ExtractLimits& limits)
     : plants(without_pictures(prepared)),
       store(prepared),
-      sites(tree_sites(scene, prepared)),
-      extractor(sites, limits),
+      sites(std::make_shared<const std::vector<foliage::TreeSite>>(tree_sites(scene, prepared))),
+      extractor(*sites, limits),
       programs(plant_shaders()),
       shadows(make_shadow("shadow_tree", shaders::shadow_tree_vert)),
       far(plants.size(), plant_shaders()),
-      groves(prepared, sites, scene.blocks.size(), plant_shaders()) {
-  if (sites.size() > 1U << foliage::glsl::kShareShift) throw std::runtime_error("more trees than can be drawn");
+      groves(prepared, *sites, scene.blocks.size(), plant_shaders()) {
+  if (sites->size() > 1U << foliage::glsl::kShareShift) throw std::runtime_error("more trees than can be drawn");
   asked = ours = make_tables(*this, foliage::Law::ours);
-  runs.reserve(sites.size());
+  runs.reserve(sites->size());
 }
 
 std::size_t stream_bytes(const TreeLayerGpu& layer) {
-  return gl::StreamBuffer::padded(layer.sites.size() * sizeof(GLuint));
+  return gl::StreamBuffer::padded(layer.sites->size() * sizeof(GLuint));
 }
 
 TreeBytes device_bytes_of(const TreeLayerGpu& layer) {

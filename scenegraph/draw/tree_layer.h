@@ -22,7 +22,7 @@ struct TreeLayerGpu {
 
   std::vector<foliage::PreparedPlant> plants;  ///< without pictures: what tables are made from
   foliage::PlantStore store;
-  std::vector<foliage::TreeSite> sites;
+  std::shared_ptr<const std::vector<foliage::TreeSite>> sites;
   foliage::Extractor extractor;
   foliage::PlantPrograms programs;
   gl::Program shadows;

@@ -155,7 +155,8 @@ void append_coarse_buildings(TileContent& content, const Scene& scene, std::uint
   low.box.max.z = ground + low.volume / std::max(low.box.area(), low.area);
   append_box(content.buildings_mesh, low.box, {low.paint.wall / low.count, low.paint.roof / low.count}, place,
              static_cast<std::uint32_t>(content.buildings.size()));
-  content.buildings.push_back({"block " + std::to_string(block), "", "block", static_cast<float>(low.box.height())});
+  content.buildings.push_back(
+      {"block " + std::to_string(block), "", "", "block", static_cast<float>(low.box.height())});
 }
 
 void append_coarse_ground(TileMesh& mesh, const Scene& scene, std::uint32_t block, const Placement& place,

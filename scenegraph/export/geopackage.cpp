@@ -30,11 +30,19 @@ class Writer {
                         {"low_m", "DOUBLE"},
                         {"high_m", "DOUBLE"},
                         {"radius_m", "DOUBLE"}}),
-        buildings_(
-            file, "buildings", "MULTIPOLYGON",
-            Columns{{"id", "TEXT"}, {"name", "TEXT"}, {"class", "TEXT"}, {"height", "DOUBLE"}, {"block", "INTEGER"}}),
+        buildings_(file, "buildings", "MULTIPOLYGON",
+                   Columns{{"id", "TEXT"},
+                           {"source_id", "TEXT"},
+                           {"name", "TEXT"},
+                           {"class", "TEXT"},
+                           {"height", "DOUBLE"},
+                           {"block", "INTEGER"}}),
         trees_(file, "trees", "POINT",
-               Columns{{"species", "TEXT"}, {"height", "DOUBLE"}, {"crown", "DOUBLE"}, {"block", "INTEGER"}}) {}
+               Columns{{"source_id", "TEXT"},
+                       {"species", "TEXT"},
+                       {"height", "DOUBLE"},
+                       {"crown", "DOUBLE"},
+                       {"block", "INTEGER"}}) {}
 
   GeopackageWritten run() {
     for (std::uint32_t block = 0; block < scene_.blocks.size(); ++block) {
@@ -79,7 +87,8 @@ class Writer {
       const TreeInstance& tree = scene_.trees.instances[i];
       const std::string species = tree.plant < kPlantSpecies ? std::string(foliage::kSpeciesNames[tree.plant]) : "";
       trees_.add(degrees(scene_.blocks[block], Vec2(tree.position)),
-                 {species, static_cast<double>(tree.height_m), 2.0 * static_cast<double>(tree.crown_radius_m), key});
+                 {source_of(scene_, scene_.trees.table, i), species, static_cast<double>(tree.height_m),
+                  2.0 * static_cast<double>(tree.crown_radius_m), key});
     }
   }
 
@@ -130,7 +139,7 @@ class Writer {
     const auto polygons = shape ? in_degrees(scene_.blocks[block], shape.get()) : std::vector<GeoPolygon>();
     if (polygons.empty()) return;
     const BuildingRow facts = building_row(scene_, index);
-    buildings_.add(polygons, {facts.id, facts.name, facts.kind, static_cast<double>(facts.height_m),
+    buildings_.add(polygons, {facts.id, facts.source, facts.name, facts.kind, static_cast<double>(facts.height_m),
                               static_cast<std::int64_t>(block)});
   }
 

@@ -161,16 +161,18 @@ class Encoder {
   }
 
   void add_table(const std::vector<BuildingRow>& rows) {
-    std::vector<std::string> ids, names, kinds;
+    std::vector<std::string> ids, sources, names, kinds;
     std::vector<float> heights;
     for (const BuildingRow& row : rows) {
       ids.push_back(row.id);
+      sources.push_back(row.source);
       names.push_back(row.name);
       kinds.push_back(row.kind);
       heights.push_back(row.height_m);
     }
     PropertyTable table(out_, "building", rows.size());
     table.add("id", ids);
+    table.add("source_id", sources);
     table.add("name", names);
     table.add("class", kinds);
     table.add("height", heights, "metres");
@@ -181,17 +183,19 @@ class Encoder {
   void add_all_trees(const std::map<std::uint16_t, std::vector<TreeRow>>& all, const TreeModels& models) {
     std::size_t count = 0;
     for (const auto& [plant, trees] : all) count += trees.size();
-    std::vector<std::string> species;
+    std::vector<std::string> species, sources;
     std::vector<float> heights, crowns;
     for (const auto& [plant, trees] : all) {
       add_trees(models.at(plant), trees, species.size(), count);
       for (const TreeRow& tree : trees) {
         species.push_back(models.at(plant).species);
+        sources.push_back(tree.source);
         heights.push_back(tree.height_m);
         crowns.push_back(tree.crown_m);
       }
     }
     PropertyTable table(out_, "tree", count);
+    table.add("source_id", sources);
     table.add("species", species);
     table.add("height", heights, "metres");
     table.add("crown", crowns, "diameter, metres");

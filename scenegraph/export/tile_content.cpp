@@ -36,7 +36,8 @@ void append_trees(TileContent& content, const Scene& scene, std::uint32_t block,
                                          .turn = glm::quat(glm::normalize(turn)),
                                          .scale = {across, across, up},
                                          .height_m = tree.height_m,
-                                         .crown_m = 2 * tree.crown_radius_m});
+                                         .crown_m = 2 * tree.crown_radius_m,
+                                         .source = source_of(scene, scene.trees.table, i)});
   }
 }
 
@@ -103,7 +104,12 @@ BuildingRow building_row(const Scene& scene, std::uint32_t row) {
     const auto found = said.find(name);
     return found && *found != "yes" ? std::string(*found) : otherwise;
   };
-  return {text("id", "building " + std::to_string(row)), text("name", ""), text("building", "building"), high - low};
+  return {text("id", "building " + std::to_string(row)), std::string(said.source()), text("name", ""),
+          text("building", "building"), high - low};
+}
+
+std::string source_of(const Scene& scene, const LayerTable& table, std::uint32_t row) {
+  return std::string(scene.attributes.of(object_of(table, row)).source());
 }
 
 TileContent tile_content(const Scene& scene, const Tile& tile, std::span<const foliage::PreparedPlant> plants) {

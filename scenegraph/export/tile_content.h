@@ -23,7 +23,7 @@ struct TileMesh {
 
 /// Of a building; or of a block, for all of those in it that are too small to be shown one by one.
 struct BuildingRow {
-  std::string id, name, kind;
+  std::string id, source, name, kind;  ///< source: kSourceId's value
   float height_m = 0;
 };
 
@@ -32,6 +32,7 @@ struct TreeRow {
   glm::quat turn;                   ///< from the plant's frame
   Vec3 scale;                       ///< along the plant's axes
   float height_m = 0, crown_m = 0;  ///< the latter: diameter
+  std::string source = {};
 };
 
 struct TileContent {
@@ -57,8 +58,11 @@ struct MeshRow {
 };
 MeshRow row_of(const MeshLayer& layer, std::uint32_t row);
 
-/// Name, class and id as the file says them, where attributes were asked for; else by number.
+/// Name, class and ids as the file says them, where attributes were asked for; else by number.
 BuildingRow building_row(const Scene& scene, std::uint32_t row);
+
+/// By what its file knows what is in a row of the layer; "" where that is not known.
+std::string source_of(const Scene& scene, const LayerTable& table, std::uint32_t row);
 
 /// As it is.
 void append(TileMesh& mesh, const MeshLayer& layer, const MeshRow& row, const Placement& place, std::uint32_t feature);

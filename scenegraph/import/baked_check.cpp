@@ -151,10 +151,13 @@ void check_attributes(const Scene& scene) {
   need(a.text.empty() || a.text.back() == '\0', "texts of attributes");
   for (const Attributes::Pair& pair : a.pairs)
     need(pair.name < a.text.size() && pair.value < a.text.size(), "an attribute");
-  need(std::is_sorted(a.row_last.begin(), a.row_last.end()), "rows of attributes");
-  need(a.row_last.empty() || (a.row_last.front() == 0 && a.row_last.back() == a.pairs.size()), "rows of attributes");
+  need(std::is_sorted(a.list_last.begin(), a.list_last.end()), "lists of attributes");
+  need(a.list_last.empty() || (a.list_last.front() == 0 && a.list_last.back() == a.pairs.size()),
+       "lists of attributes");
+  for (const Attributes::Row& row : a.rows)
+    need(row.list < a.list_last.size() && row.source < a.text.size(), "a row of attributes");
   need(a.row_of_object.empty() || a.row_of_object.size() == scene.tree.objects(), "attributes of objects");
-  need(all_below(a.row_of_object, a.row_last.size()), "attributes of objects");
+  need(all_below(a.row_of_object, a.rows.size()), "attributes of objects");
 }
 
 void check_blocks(const Scene& scene) {

@@ -66,11 +66,12 @@ void each_column(AnyScene& scene, Visit&& visit) {
   visit(23, traffic.halves), visit(24, traffic.points), visit(25, traffic.pieces), visit(26, traffic.circuits);
   visit(27, traffic.offsets), visit(28, traffic.block_first), visit(29, traffic.block_halves);
   auto& said = scene.attributes;
-  visit(30, said.text), visit(31, said.pairs), visit(32, said.row_last), visit(33, said.row_of_object);
+  visit(30, said.text), visit(31, said.pairs), visit(32, said.list_last), visit(33, said.row_of_object);
   visit(34, scene.attribution), visit(35, scene.trees.leeway);
   id = 36;
   for (auto& level : scene.buildings.levels)  // surfaces have none
     visit(id++, level.index_first), visit(id++, level.mesh.vertices), visit(id++, level.mesh.indices);
+  visit(id, said.rows);
 }
 
 std::uint64_t checksum_of(std::string_view bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }

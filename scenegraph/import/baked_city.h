@@ -16,7 +16,7 @@
 
 namespace manzana {
 
-inline constexpr std::uint32_t kBakedVersion = 2;
+inline constexpr std::uint32_t kBakedVersion = 3;
 
 bool is_baked(const std::filesystem::path& file);  ///< by its name
 

@@ -121,8 +121,9 @@ void check_version(const Json& header) {
     throw std::runtime_error("is CityJSON " + version.substr(0, 20) + "; 1.0 to 2.0 are read");
 }
 
-std::uint32_t row_of(const std::vector<std::pair<std::string, std::string>>& said, AttributeWriter& attributes) {
-  return attributes.row(std::vector<AttributeWriter::Given>(said.begin(), said.end()));
+std::uint32_t row_of(const std::vector<std::pair<std::string, std::string>>& said, const std::string& source,
+                     AttributeWriter& attributes) {
+  return attributes.row(std::vector<AttributeWriter::Given>(said.begin(), said.end()), source);
 }
 
 /// Up the first parents, as far as they are in the document and no groups; empty where they go round.
@@ -263,6 +264,7 @@ Work& Intake::work_of(const Json& objects, const std::string& root, Role role) {
   Work& work = out_.works.emplace_back();
   work.role = role;
   work.id = hash_of(root);
+  work.source = root;
   work.shape.where = where_of(objects[root], root);
   note(objects[root], work.said);
   return work;
@@ -273,7 +275,7 @@ Collected Intake::take() {
     const auto [work, face] = surfaces_[surface];
     out_.works[work].colour[face] = rgb;
   });
-  for (Work& work : out_.works) work.shape.attributes = row_of(work.said, out_.attributes);
+  for (Work& work : out_.works) work.shape.attributes = row_of(work.said, work.source, out_.attributes);
   return std::move(out_);
 }
 
@@ -369,7 +371,7 @@ void Intake::plant(const std::string& id, const Json& json, const Vertices& vert
   tree.crown_radius = wide ? *wide / 2 : crowned ? crown : crown_radius(species, tree.height);
   std::vector<std::pair<std::string, std::string>> said;
   note(json, said);
-  tree.attributes = row_of(said, out_.attributes);
+  tree.attributes = row_of(said, id, out_.attributes);
   out_.trees.push_back(tree);
 }
 

@@ -22,6 +22,7 @@ enum class FaceKind : std::uint8_t { untold, wall, roof, floor, window, door, pa
 struct Work {
   Role role = Role::work;
   std::uint64_t id = 0;  ///< seed of its looks
+  std::string source;    ///< its name in the file
   Material ground = Material::grass;
   ConstructionFeature shape;
   std::vector<std::pair<std::string, std::string>> said;  ///< attributes, the root's first

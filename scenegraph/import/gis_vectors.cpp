@@ -67,13 +67,13 @@ class Attributes {
     return value >= range.x && value <= range.y ? std::optional(value) : std::nullopt;
   }
   /// All that are not null.
-  std::uint32_t row(AttributeWriter& writer) const {
+  std::uint32_t row(AttributeWriter& writer, const std::string& source) const {
     if (!writer.wanted()) return 0;
     std::vector<std::pair<std::string, std::string> > texts;
     for (int i = 0; i < feature_.GetFieldCount(); ++i)
       if (feature_.IsFieldSetAndNotNull(i))
         texts.emplace_back(feature_.GetFieldDefnRef(i)->GetNameRef(), feature_.GetFieldAsString(i));
-    return writer.row(std::vector<AttributeWriter::Given>(texts.begin(), texts.end()));
+    return writer.row(std::vector<AttributeWriter::Given>(texts.begin(), texts.end()), source);
   }
 
  private:
@@ -89,6 +89,17 @@ class Attributes {
   }
   const OGRFeature& feature_;
 };
+
+/// For issues, and by what the file knows it: ids of rows (FID) are not the same in each format.
+struct Place {
+  std::string where, source;
+};
+
+Place place_of(const OGRFeature& feature, const std::string& layer) {
+  const std::string id = Attributes(feature).text("", {"id", "gml_id", "osm_id", "identificatie"}),
+                    row = std::to_string(feature.GetFID());
+  return id.empty() ? Place{layer + " " + row, layer + "/" + row} : Place{layer + " " + id, id};
+}
 
 class Reader {
  public:
@@ -107,31 +118,29 @@ class Reader {
     const GeoTransform to_degrees(from);
     for (const auto& feature : layer) {
       const Attributes attributes(*feature);
-      const std::string id = attributes.text("", {"id", "gml_id", "osm_id", "identificatie"});
-      const std::string where =
-          std::string(layer.GetName()) + " " + (id.empty() ? std::to_string(feature->GetFID()) : id);
+      const Place place = place_of(*feature, layer.GetName());
       OGRGeometry* geometry = feature->GetGeometryRef();
       if (geometry == nullptr || geometry->IsEmpty()) {
-        found_.issues.push_back({where, "has no geometry"});
+        found_.issues.push_back({place.where, "has no geometry"});
       } else if (!to_degrees.apply(*geometry)) {
-        found_.issues.push_back({where, "not on the Earth"});
+        found_.issues.push_back({place.where, "not on the Earth"});
       } else {
-        add(*geometry, attributes, where);
+        add(*geometry, attributes, place);
       }
     }
   }
 
-  void add(const OGRGeometry& geometry, const Attributes& attributes, const std::string& where) {
+  void add(const OGRGeometry& geometry, const Attributes& attributes, const Place& place) {
     switch (wkbFlatten(geometry.getGeometryType())) {
       case wkbPoint:
-        return add_tree(*geometry.toPoint(), attributes, where);
+        return add_tree(*geometry.toPoint(), attributes, place);
       case wkbMultiPoint:
-        for (const OGRPoint* point : *geometry.toMultiPoint()) add_tree(*point, attributes, where);
+        for (const OGRPoint* point : *geometry.toMultiPoint()) add_tree(*point, attributes, place);
         return;
       case wkbPolygon:
-        return add_building(*geometry.toPolygon(), attributes, where);
+        return add_building(*geometry.toPolygon(), attributes, place);
       case wkbMultiPolygon:
-        for (const OGRPolygon* polygon : *geometry.toMultiPolygon()) add_building(*polygon, attributes, where);
+        for (const OGRPolygon* polygon : *geometry.toMultiPolygon()) add_building(*polygon, attributes, place);
         return;
       default:
         ++found_.others;
@@ -144,11 +153,11 @@ class Reader {
     return points;
   }
 
-  void add_building(const OGRPolygon& polygon, const Attributes& attributes, const std::string& where) {
+  void add_building(const OGRPolygon& polygon, const Attributes& attributes, const Place& place) {
     if (polygon.getExteriorRing() == nullptr) return;
     BuildingFeature& building = found_.buildings.emplace_back();
-    building.where = where;
-    building.attributes = attributes.row(said_);
+    building.where = place.where;
+    building.attributes = attributes.row(said_, place.source);
     building.footprint.outer = ring_of(*polygon.getExteriorRing());
     for (int i = 0; i < polygon.getNumInteriorRings(); ++i)
       building.footprint.holes.push_back(ring_of(*polygon.getInteriorRing(i)));
@@ -160,12 +169,12 @@ class Reader {
     kinds_.push_back(attributes.text("", {"class", "building", "type"}));
   }
 
-  void add_tree(const OGRPoint& point, const Attributes& attributes, const std::string& where) {
+  void add_tree(const OGRPoint& point, const Attributes& attributes, const Place& place) {
     const std::string name = attributes.text(columns_.species, {"species", "genus"});
     TreeFeature& tree = found_.trees.emplace_back();
-    const std::uint64_t id = hash_text(where);
+    const std::uint64_t id = hash_text(place.where);
     tree.position = {point.getX(), point.getY()};
-    tree.attributes = attributes.row(said_);
+    tree.attributes = attributes.row(said_, place.source);
     tree.species = species_named(name).value_or(species_for(PlantKind::broadleaf, TreePlace::park, id));
     for (std::size_t i = 0; i < kPlantSpecies; ++i)
       if (name == foliage::kSpeciesNames[i]) tree.species = static_cast<PlantSpecies>(i);
@@ -174,7 +183,7 @@ class Reader {
         attributes.number(columns_.height, {"height", "HEIGHT"}, {0.3, 120}).value_or(tree_height(*tree.species, id));
     const auto crown = attributes.number(columns_.crown, {"crown", "CROWN"}, {0.1, 60});
     tree.crown_radius = crown ? *crown / 2 : crown_radius(*tree.species, tree.height);
-    found_.tree_places.push_back(where);
+    found_.tree_places.push_back(place.where);
   }
 
   /// Levels, height, roof and colours, as OpenStreetMap's buildings have them.

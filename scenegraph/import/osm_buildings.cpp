@@ -237,7 +237,7 @@ void append(const Candidate& candidate, const OsmArea& outline, int usual, CityF
   BuildingFeature building;
   building.where = candidate.area->where;
   building.footprint = candidate.shape;
-  building.attributes = row_of(*candidate.area->tags, city.attributes, outline.tags);
+  building.attributes = row_of(*candidate.area->tags, candidate.area->source(), city.attributes, outline.tags);
   Planner(site_of(candidate, *outline.tags, outline.id), *candidate.area->tags, *outline.tags, building, city.issues)
       .run(usual);
   city.buildings.push_back(std::move(building));

@@ -192,6 +192,10 @@ OsmFile load_osm(const osmium::io::File& file, const std::string& name, const Pr
   return Loader(file, name, progress).run();
 }
 
+std::string source_of(const osmium::OSMObject& object) {
+  return std::string(osmium::item_type_to_name(object.type())) + "/" + std::to_string(object.id());
+}
+
 std::string where_of(const osmium::OSMObject& object) {
   static constexpr std::array<const char*, 9> kKeys{"building", "building:part", "highway", "waterway", "natural",
                                                     "landuse",  "leisure",       "amenity", "place"};

@@ -41,6 +41,8 @@ CityFeatures read_osm_bytes(std::string_view bytes, const std::string& format, c
 
 /// "way 4711 (building)".
 std::string where_of(const osmium::OSMObject& object);
+/// "way/4711"
+std::string source_of(const osmium::OSMObject& object);
 
 /// The credit that OpenStreetMap's licence asks for.
 inline constexpr const char* kOsmCredit = "© OpenStreetMap contributors";

@@ -105,7 +105,7 @@ void take_leaf_type(const osmium::TagList& tags, AreaFeature& area) {
 
 void append_areas(const OsmArea& area, CityFeatures& city) {
   const GroundRule& rule = *rule_for(*area.tags);
-  const std::uint32_t attributes = row_of(*area.tags, city.attributes);
+  const std::uint32_t attributes = row_of(*area.tags, area.source(), city.attributes);
   for (const Polygon& shape : area.shapes) {
     AreaFeature feature{area.where, shape, rule.kind, rule.trees_per_ha, rule.tree, rule.mixed};
     take_leaf_type(*area.tags, feature);
@@ -135,7 +135,7 @@ void append_stream(const Geos& geos, const osmium::Way& way, const OsmShapes& sh
                                          : nullptr);
   const std::vector<Polygon> beds = bed ? geos.polygons(bed.get()) : std::vector<Polygon>();
   if (beds.empty()) city.issues.push_back({where, "no line to widen"});
-  const std::uint32_t attributes = row_of(way.tags(), city.attributes);
+  const std::uint32_t attributes = row_of(way.tags(), source_of(way), city.attributes);
   for (const Polygon& shape : beds) city.areas.push_back({where, shape, water, 0, kLeafy, false, attributes});
 }
 

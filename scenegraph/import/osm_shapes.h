@@ -22,6 +22,7 @@ struct OsmArea {
   bool relation = false;
   const osmium::TagList* tags = nullptr;
   std::vector<Polygon> shapes;
+  std::string source() const { return (relation ? "relation/" : "way/") + std::to_string(id); }
 };
 
 class OsmShapes {

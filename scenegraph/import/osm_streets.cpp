@@ -89,7 +89,7 @@ void read_street(const osmium::Way& way, const OsmShapes& shapes, CityFeatures& 
   if (line.missing > 0) city.issues.push_back({where, std::to_string(line.missing) + " nodes are not in the file"});
   StreetFeature street = attributes_of(tags, *kind);
   street.where = where;
-  street.attributes = row_of(way.tags(), city.attributes);
+  street.attributes = row_of(way.tags(), source_of(way), city.attributes);
   street.line = std::move(line.points);
   street.nodes = std::move(line.nodes);
   if (direction_of(tags, *kind) < 0) {

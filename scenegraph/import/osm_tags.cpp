@@ -6,13 +6,14 @@
 
 namespace manzana {
 
-std::uint32_t row_of(const osmium::TagList& tags, AttributeWriter& attributes, const osmium::TagList* more) {
+std::uint32_t row_of(const osmium::TagList& tags, const std::string& source, AttributeWriter& attributes,
+                     const osmium::TagList* more) {
   if (!attributes.wanted()) return 0;
   std::vector<AttributeWriter::Given> given;
   for (const osmium::Tag& tag : tags) given.emplace_back(tag.key(), tag.value());
   if (more != nullptr && more != &tags)
     for (const osmium::Tag& tag : *more) given.emplace_back(tag.key(), tag.value());
-  return attributes.row(given);
+  return attributes.row(given, source);
 }
 
 std::string_view TagReader::text(const char* key) const {

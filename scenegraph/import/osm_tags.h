@@ -15,8 +15,10 @@ struct ValueRange {
   double least, most;
 };
 
-/// All tags, as they are; then those of `more` that say something else.
-std::uint32_t row_of(const osmium::TagList& tags, AttributeWriter& attributes, const osmium::TagList* more = nullptr);
+/// All tags, as they are, of what the API of OpenStreetMap knows as `source`; then those of `more` that say something
+/// else.
+std::uint32_t row_of(const osmium::TagList& tags, const std::string& source, AttributeWriter& attributes,
+                     const osmium::TagList* more = nullptr);
 
 class TagReader {
  public:

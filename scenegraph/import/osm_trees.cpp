@@ -53,7 +53,7 @@ void read_tree_row(const osmium::Way& way, const OsmShapes& shapes, CityFeatures
     return;
   }
   const auto row = static_cast<std::uint64_t>(way.id());
-  const std::uint32_t attributes = row_of(way.tags(), city.attributes);
+  const std::uint32_t attributes = row_of(way.tags(), source_of(way), city.attributes);
   std::uint64_t index = 0;
   double next = kTreeRowStep / 2, start = 0;
   for (std::size_t i = 1; i < line.points.size(); ++i) {
@@ -93,7 +93,7 @@ void read_trees(const OsmFile& osm, const OsmShapes& shapes, CityFeatures& city)
     if (position) {
       const auto id = static_cast<std::uint64_t>(node->id());
       city.trees.push_back(tree_of(tags, node->tags(), id, *position, TreePlace::park, id));
-      city.trees.back().attributes = row_of(node->tags(), city.attributes);
+      city.trees.back().attributes = row_of(node->tags(), source_of(*node), city.attributes);
     } else {
       city.issues.push_back({where, "too far from the rest of the data"});
     }

@@ -124,11 +124,11 @@ class Columns {
 
 /// Columns that are not empty.
 std::uint32_t row_of(const std::vector<std::string>& names, const std::vector<std::string>& fields,
-                     AttributeWriter& attributes) {
+                     const std::string& source, AttributeWriter& attributes) {
   std::vector<AttributeWriter::Given> given;
   for (std::size_t i = 0; attributes.wanted() && i < names.size(); ++i)
     if (!fields[i].empty()) given.emplace_back(names[i], fields[i]);
-  return attributes.row(given);
+  return attributes.row(given, source);
 }
 
 CityFeatures read_csv(std::string_view bytes, const TreeColumns& names, const ImportOptions& options) {
@@ -139,7 +139,8 @@ CityFeatures read_csv(std::string_view bytes, const TreeColumns& names, const Im
   if (!degrees) x = columns.find(names.x, {"x", "X"}), y = columns.find(names.y, {"y", "Y"});
   if (!x || !y) throw std::runtime_error("no columns of places: name them, lat=NAME,lon=NAME or x=NAME,y=NAME");
   const auto species = columns.find(names.species, {"species"});
-  const auto height = columns.find(names.height, {"height"}), crown = columns.find(names.crown, {"crown"});
+  const auto height = columns.find(names.height, {"height"}), crown = columns.find(names.crown, {"crown"}),
+             id = columns.find("", {"id", "gml_id", "osm_id"});
 
   TreeReader trees(ReferenceSystem(degrees ? "EPSG:4326" : options.reference_system), options.attributes);
   if (!degrees && options.reference_system.empty())
@@ -153,7 +154,7 @@ CityFeatures read_csv(std::string_view bytes, const TreeColumns& names, const Im
       trees.refuse(entry, "fewer columns than the header");
     else {
       const auto east = number(row.fields[*x]), north = number(row.fields[*y]);
-      entry.attributes = row_of(rows.header(), row.fields, trees.attributes());
+      entry.attributes = row_of(rows.header(), row.fields, text(id), trees.attributes());
       entry.species = text(species), entry.height = text(height), entry.crown = text(crown);
       if (east && north)
         trees.add({*east, *north}, entry);
@@ -174,12 +175,20 @@ std::string text_of(const Json* json) {
   return json->is_string() ? json->get<std::string>() : json->dump();
 }
 
-std::uint32_t row_of(const Json* properties, AttributeWriter& attributes) {
-  if (!attributes.wanted() || properties == nullptr || !properties->is_object()) return 0;
+/// A feature's own id [RFC 7946, 3.2], else that among its properties.
+std::string source_of(const Json& feature, const Json* properties) {
+  const std::string id = text_of(member(feature, "id"));
+  return id.empty() && properties != nullptr ? text_of(member(*properties, "id")) : id;
+}
+
+std::uint32_t row_of(const Json& feature, const Json* properties, AttributeWriter& attributes) {
+  if (!attributes.wanted()) return 0;
   std::vector<std::pair<std::string, std::string>> texts;
+  if (properties == nullptr || !properties->is_object()) return attributes.row({}, source_of(feature, nullptr));
   for (const auto& [name, value] : properties->items())
     if (!value.is_null()) texts.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
-  return attributes.row(std::vector<AttributeWriter::Given>(texts.begin(), texts.end()));
+  return attributes.row(std::vector<AttributeWriter::Given>(texts.begin(), texts.end()),
+                        source_of(feature, properties));
 }
 
 Vec2d position_of(const Json& json) {
@@ -205,7 +214,7 @@ class GeoJsonReader {
     };
     Entry entry{"feature " + std::to_string(number), text(names_.species, "species"), text(names_.height, "height"),
                 text(names_.crown, "crown")};
-    entry.attributes = row_of(properties, trees_.attributes());
+    entry.attributes = row_of(json, properties, trees_.attributes());
     try {
       const Json* geometry = member(json, "geometry");
       const Json* coordinates = geometry == nullptr ? nullptr : member(*geometry, "coordinates");

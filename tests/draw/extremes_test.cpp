@@ -8,14 +8,16 @@
 #include <cstring>
 #include <functional>
 
+#include "foliage/far_pack.h"
 #include "foliage/generate.h"
-#include "foliage/gl/ldm_sampler.h"
 #include "foliage/import/species.h"
+#include "foliage/ldm_sampler.h"
 #include "foliage/make_ldm.h"
 #include "gl/context.h"
 #include "gl/error_log.h"
 #include "scenegraph/draw/frame_data.h"
 #include "scenegraph/draw/tree_layer.h"
+#include "scenegraph/tree_sites.h"
 #include "tests/draw/extreme_plants.h"
 #include "tests/draw/hand_scene.h"
 
@@ -113,8 +115,8 @@ class Trees {
   /// What mosaics and groves need.
   void add_far() {
     for (std::uint32_t p = 0; p < plants_.size(); ++p) {
-      foliage::LdmSamplerGl sampler(plants_[p], 1);
-      add_pack(layer_.far, p, make_ldm_pack(ldm_ball(plants_[p]), kFarPack, std::ref(sampler)));
+      add_pack(layer_.far, p,
+               make_ldm_pack(ldm_ball(plants_[p]), foliage::kFarPack, foliage::LdmSampler(plants_[p], 1)));
     }
   }
 
@@ -130,7 +132,7 @@ class Trees {
     draw(view, far);
     foliage::GroveMaker maker(plants_);
     for (const GroveWanted& wanted : std::vector(layer_.groves.wanted))
-      add_grove(layer_.groves, wanted, maker.make(sites_of(wanted.block), wanted.level));
+      add_grove(layer_.groves, wanted, maker.make(sites_of(*layer_.sites, wanted.block), wanted.level));
     seen.far = draw(view, far);
     return seen;
   }
@@ -144,10 +146,6 @@ class Trees {
     block.plan = Vec2d(origin);
     block.trees = std::move(trees);
     return block;
-  }
-  std::span<const foliage::TreeSite> sites_of(std::uint32_t block) const {
-    const foliage::Run& run = layer_.groves.blocks[block].sites;
-    return std::span(layer_.sites).subspan(run.first, run.size());
   }
 
   int draw(const culling::View& view, TreeDetail detail) {
@@ -198,7 +196,7 @@ class Trees {
                   const std::vector<foliage::Item>& items) {
     foliage::Selection expected;
     select(layer_.store.table,
-           {layer_.sites, {rows[0].data(), 3}, layer_.runs, layer_.error_at_1m, layer_.law == Law::ours}, expected);
+           {*layer_.sites, {rows[0].data(), 3}, layer_.runs, layer_.error_at_1m, layer_.law == Law::ours}, expected);
     CHECK(same_bits(records, expected.trees));
     CHECK(same_bits(items, expected.items));
   }

@@ -3,12 +3,10 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <functional>
 
+#include "foliage/far_pack.h"
 #include "foliage/generate.h"
-#include "foliage/gl/ldm_sampler.h"
 #include "foliage/import/species.h"
-#include "foliage/make_ldm.h"
 #include "gl/context.h"
 #include "gl/error_log.h"
 #include "tests/draw/hand_scene.h"
@@ -42,11 +40,6 @@ Scene make_row(int trees, double height_px) {
   return make_scene({block});
 }
 
-foliage::LdmPack pack_of(const foliage::PreparedPlant& plant) {
-  foliage::LdmSamplerGl sampler(plant, 2);
-  return make_ldm_pack(ldm_ball(plant), kFarPack, std::ref(sampler));
-}
-
 /// Trees alone, before black.
 Picture picture_of(Renderer& renderer, const Scene& scene, bool mosaics, double error_px = 1) {
   DrawOptions options;
@@ -78,7 +71,7 @@ TEST_CASE("far trees: a pack is asked for once trees are small and until it is t
   picture_of(of_far, far, true);
   REQUIRE(of_far.packs_wanted().size() == 1);
   const std::uint32_t plant = of_far.packs_wanted()[0];
-  of_far.add_pack(plant, pack_of(plants[plant]));
+  of_far.add_pack(plant, make_far_pack(plants[plant]));
   picture_of(of_far, far, true);
   CHECK(of_far.packs_wanted().empty());
   CHECK(of_far.trees_shown().leaves + of_far.trees_shown().bark + of_far.trees_shown().points == 0);
@@ -89,7 +82,7 @@ TEST_CASE("far trees: a crown is as opaque on the way to mosaics as before and a
   gl::ErrorLog log;
   const auto plants = simple_plants();
   constexpr double kError = 4;
-  const foliage::LdmPack pack = pack_of(plants[0]);
+  const foliage::LdmPack pack = make_far_pack(plants[0]);
   for (double height = 1.1 * kNoMosaics; height > 0.9 * kAllMosaics; height -= 1.5) {
     const Scene scene = make_row(1, kError * height);
     Renderer renderer(scene, plants, sampled(1));
@@ -114,7 +107,7 @@ TEST_CASE("far trees: as much light comes from trees as mosaics take over") {
   const gl::HeadlessContext context;
   std::vector<foliage::PreparedPlant> plants(kPlantSpecies);
   plants[0] = prepare(grow_plant(foliage::builtin_species("oak"), 3), {.visibility_side = 0});
-  const foliage::LdmPack pack = pack_of(plants[0]);
+  const foliage::LdmPack pack = make_far_pack(plants[0]);
   for (const double height : {31.0, 29.0, 27.0, 25.0, 22.0}) {
     const Scene scene = make_row(10, height);
     Renderer renderer(scene, plants, sampled(4));

@@ -6,15 +6,14 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <functional>
 
+#include "foliage/far_pack.h"
 #include "foliage/generate.h"
-#include "foliage/gl/ldm_sampler.h"
 #include "foliage/import/species.h"
-#include "foliage/make_ldm.h"
 #include "gl/context.h"
 #include "gl/error_log.h"
 #include "scenegraph/draw/far_trees.h"
+#include "scenegraph/tree_sites.h"
 #include "tests/draw/hand_scene.h"
 #include "tests/draw/picture.h"
 
@@ -92,7 +91,8 @@ Seen look(Renderer& renderer, const Scene& scene, const culling::View& view, con
 void add_groves(Renderer& renderer, std::span<const foliage::PreparedPlant> plants) {
   const std::vector<GroveWanted> wanted(renderer.groves_wanted().begin(), renderer.groves_wanted().end());
   foliage::GroveMaker maker(plants);
-  for (const GroveWanted& one : wanted) renderer.add_grove(one, maker.make(renderer.trees_of(one.block), one.level));
+  for (const GroveWanted& one : wanted)
+    renderer.add_grove(one, maker.make(sites_of(*renderer.sites(), one.block), one.level));
 }
 
 Quality sampled(int samples) {
@@ -130,10 +130,7 @@ TEST_CASE("groves: a wood covers as much on the way to its grove as before and a
   const auto plants = two_plants();
   const Scene scene = make_scene({make_wood(7, 9)});
   Renderer renderer(scene, plants, sampled(4));
-  for (std::uint32_t p = 0; p < 2; ++p) {
-    foliage::LdmSamplerGl sampler(plants[p], 2);
-    renderer.add_pack(p, make_ldm_pack(ldm_ball(plants[p]), kFarPack, std::ref(sampler)));
-  }
+  for (std::uint32_t p = 0; p < 2; ++p) renderer.add_pack(p, make_far_pack(plants[p]));
   std::uint64_t least = ~0ULL, most = 0;
   for (const double height : {13.0, 11.0, 10.0, 9.0, 8.0}) {
     const culling::View view = view_from(scene, {0, -1, 1}, height);

@@ -3,10 +3,13 @@
 
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <set>
 
+#include "scenegraph/export/tile_content.h"
 #include "scenegraph/import/import.h"
 #include "tests/support/data.h"
 #include "tests/support/program.h"
@@ -169,6 +172,27 @@ TEST_CASE("geopackage: a file is replaced whole or left as it was") {
   CHECK(files_in(folder.path()) == 1);
   CHECK_THROWS_WITH(write_geopackage(scene, folder.path() / "no" / "made.gpkg"),
                     Catch::Contains("made.gpkg: cannot be written"));
+}
+
+TEST_CASE("geopackage: buildings and trees have the ids of their file") {
+  const auto real = data_file("tiny/helsinki-block.osm");
+  if (!real) return;
+  const TemporaryFolder folder;
+  const Path file = folder.path() / "block.gpkg";
+  const Scene scene = import_city(*real, {.cars = 0, .attributes = true}, {}).scene;
+  write_geopackage(scene, file);
+  const Package package(file);
+  std::multiset<std::string> expected, found;
+  for (std::uint32_t row = 0; row < scene.buildings.table.size(); ++row)
+    expected.insert(source_of(scene, scene.buildings.table, row));
+  for (const auto& row : package.rows("SELECT source_id FROM buildings")) found.insert(row.at(0));
+  CHECK(found.size() > 5);
+  CHECK(std::ranges::includes(expected, found));  // but for those without a footprint
+  CHECK(package.number("SELECT count(*) FROM buildings WHERE source_id LIKE 'way/%' OR source_id LIKE 'relation/%'") ==
+        static_cast<double>(found.size()));
+  const Path without = folder.path() / "without.gpkg";
+  write_geopackage(import_city(*real, {.cars = 0}, {}).scene, without);
+  CHECK(Package(without).number("SELECT count(*) FROM buildings WHERE source_id <> ''") == 0);
 }
 
 #ifdef MANZANA_OGRINFO

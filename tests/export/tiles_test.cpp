@@ -115,6 +115,34 @@ TEST_CASE("tiles: the leaves hold all buildings and trees with their heights") {
   CHECK(buildings == scene.buildings.table.size());
 }
 
+TEST_CASE("tiles: buildings and trees have the ids of their files") {
+  for (const char* name : {"tiny/triesen-trees.osm.pbf", "tiny/denhaag-subset.city.json"}) {
+    const auto path = data_file(name);
+    if (!path) return;
+    const Baked baked(*path, {.cars = 0, .attributes = true});
+    const Scene& scene = baked.city.scene;
+    std::multiset<std::string> buildings, trees, expected, of_trees;
+    const std::function<void(const Json&)> visit = [&](const Json& tile) {
+      if (tile.contains("children")) return static_cast<void>(std::ranges::for_each(tile.at("children"), visit));
+      for (const Json& one : tile.at("contents")) {
+        auto texts = decode_content(baked.tiles() / one.at("uri").get<std::string>()).texts;
+        for (const std::string& id : texts["building.source_id"]) buildings.insert(id);
+        for (const std::string& id : texts["tree.source_id"]) trees.insert(id);
+      }
+    };
+    visit(baked.tileset().at("root"));
+    for (std::uint32_t row = 0; row < scene.buildings.table.size(); ++row)
+      expected.insert(source_of(scene, scene.buildings.table, row));
+    for (std::uint32_t row = 0; row < scene.trees.table.size(); ++row)
+      if (static_cast<double>(scene.trees.instances[row].height_m) > kLeafError)
+        of_trees.insert(source_of(scene, scene.trees.table, row));
+    CHECK(buildings == expected);
+    CHECK(trees == of_trees);
+    CHECK(expected.count("") == 0);
+    CHECK(expected.size() + of_trees.size() > of_trees.count(""));
+  }
+}
+
 TEST_CASE("tiles: buildings have the names and classes that the file gives them") {
   const Imported city = import_city(MANZANA_VILLAGE, {.cars = 0, .attributes = true}, {});
   std::multiset<std::string> told, expected;

@@ -6,9 +6,10 @@
 
 #include "apps/foliage_benchmark/errors.h"
 #include "apps/foliage_benchmark/forest.h"
+#include "foliage/far_pack.h"
 #include "foliage/generate.h"
-#include "foliage/gl/ldm_sampler.h"
 #include "foliage/import/species.h"
+#include "foliage/ldm_sampler.h"
 #include "foliage/make_ldm.h"
 #include "foliage/prepare.h"
 #include "gl/context.h"
@@ -28,9 +29,8 @@ std::vector<PreparedPlant> plant_named(const char* species) {
 }
 
 std::vector<foliage::LdmPack> packs_of(const PreparedPlant& plant, const LdmOptions& options = {}, int fine = 4) {
-  foliage::LdmSamplerGl sampler(plant, fine);
   std::vector<foliage::LdmPack> packs;
-  packs.push_back(make_ldm_pack(ldm_ball(plant), options, std::ref(sampler)));
+  packs.push_back(make_ldm_pack(ldm_ball(plant), options, foliage::LdmSampler(plant, fine)));
   return packs;
 }
 
@@ -134,7 +134,7 @@ TEST_CASE("packs: crowns of a few pixels cover as much with the product's sample
   for (const char* species : {"conifer", "birch"}) {
     const auto plants = plant_named(species);
     Stage stage(plants, make_forest(plants, kTrees, 2.5 * closed_spacing(plants), 5));
-    Packs packs(packs_of(plants[0], draw::kFarPack, 2));
+    Packs packs(packs_of(plants[0], foliage::kFarPack, 2));
     const foliage::Run run{0, kTrees};
     for (const double down : {0.1, 1.0, 20.0})
       for (const double height_px : {10.0, 6.0, 4.0, 2.5}) {
@@ -192,8 +192,8 @@ TEST_CASE("packs: at the source's settings bytes stay within their gates") {
   const gl::HeadlessContext context;
   const auto plants = plant_named("birch");
   foliage::LdmTally tally;
-  foliage::LdmSamplerGl sampler(plants[0], 1);
-  const auto pack = make_ldm_pack(ldm_ball(plants[0]), {.sides = LdmSides::paper}, std::ref(sampler), {}, &tally);
+  const auto pack =
+      make_ldm_pack(ldm_ball(plants[0]), {.sides = LdmSides::paper}, foliage::LdmSampler(plants[0], 1), {}, &tally);
   CHECK(foliage::ldm_bytes(tally.raw) == 30.0 * 1024 * 1024);
   CHECK(tally.aware <= tally.adaptive);
   CHECK(foliage::ldm_bytes(static_cast<double>(pack.pages()) * foliage::kLdmPage * foliage::kLdmPage) < 8e6);

@@ -25,7 +25,7 @@ void wait_until(const std::function<bool()>& there, int seconds = 120) {
 }
 
 QImage picture_of(CityWidget& city) {
-  wait_until([&] { return city.shown(); });
+  wait_until([&] { return city.complete(); });
   city.repaint();
   return city.grabFramebuffer().convertToFormat(QImage::Format_RGB32);
 }

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "foliage/import/load_plant.h"
 #include "manzana/manzana.h"
 #include "tests/support/program.h"
 #include "tests/view/host.h"
@@ -46,7 +47,7 @@ TEST_CASE("c: a picture and what is picked in it") {
   manzana_model* city = load("builtin:town", &error);
   REQUIRE(city != nullptr);
   int repaints = 0;
-  const manzana_host host{&repaints, nullptr, [](void* n) { ++*static_cast<int*>(n); }, nullptr};
+  const manzana_host host{&repaints, nullptr, [](void* n) { ++*static_cast<int*>(n); }, nullptr, nullptr};
   manzana_view* view = manzana_view_create(&host, nullptr);
   manzana_view_show(view, city);
   const manzana_camera camera = as_c(street_camera(kWidth, kHeight));
@@ -82,6 +83,40 @@ TEST_CASE("c: a picture and what is picked in it") {
   CHECK(share_different(window.pixels(), pixels, 8) > 0.1);
   CHECK(manzana_view_pick(view, 0, 0, 0, 0, 5, ids.data(), &error) == 0);
   CHECK(std::string(error.text) == "a rectangle without pixels");
+  manzana_view_release(view);
+  manzana_view_free(view);
+  manzana_model_free(city);
+}
+
+TEST_CASE("c: far trees are made by the host's tasks and the picture is complete then") {
+  const gl::HeadlessContext context;
+  const HostWindow window(kWidth, kHeight);
+  manzana_error error{};
+  const std::string cache = foliage::default_cache_folder().value_or("").string();
+  manzana_load_options options = manzana_load_defaults();
+  options.cars = 0;
+  options.plant_cache = cache.empty() ? nullptr : cache.c_str();
+  manzana_model* city = manzana_model_load("builtin:town", &options, nullptr, nullptr, &error);
+  REQUIRE(city != nullptr);
+  int tasks = 0;
+  const manzana_host host{&tasks, nullptr, nullptr, nullptr, [](void* n, void (*task)(void*), void* argument) {
+                            ++*static_cast<int*>(n);
+                            task(argument);  // at once
+                          }};
+  manzana_view* view = manzana_view_create(&host, nullptr);
+  manzana_view_show(view, city);
+  const manzana_camera camera = as_c(street_camera(kWidth, kHeight));
+  manzana_update update{};
+  CHECK(manzana_view_complete(view) == 0);
+  for (int frame = 0; frame < 1000 && manzana_view_complete(view) == 0; ++frame) {
+    manzana_view_update(view, &camera, 1, 0, &update, nullptr);
+    window.bind();
+    REQUIRE(manzana_view_render(view, 0, &error) == 1);
+  }
+  CHECK(manzana_view_complete(view) == 1);
+  manzana_view_update(view, &camera, 1, 0, &update, nullptr);
+  CHECK(update.far_trees_left == 0);
+  CHECK(tasks > 0);
   manzana_view_release(view);
   manzana_view_free(view);
   manzana_model_free(city);
@@ -185,7 +220,7 @@ TEST_CASE("c: the library shows its own functions and nothing else") {
     INFO(name);
     CHECK(name.starts_with("manzana_"));
   }
-  CHECK(functions == 41);
+  CHECK(functions == 42);
 }
 
 TEST_CASE("c: an orthophoto that cannot be read is told") {

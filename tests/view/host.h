@@ -41,7 +41,7 @@ HostCamera looking(const Vec3d& eye, const Vec3d& at, int width, int height);
 
 std::shared_ptr<const Model> town();
 
-/// Updates and renders until all is uploaded, then a picture over a cleared window.
+/// Updates and renders until all is made and uploaded, then a picture over a cleared window.
 std::vector<Rgba> picture(View& view, const HostWindow& window, const HostCamera& camera);
 void bring_all(View& view, const HostWindow& window, const HostCamera& camera);
 

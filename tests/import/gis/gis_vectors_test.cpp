@@ -65,6 +65,8 @@ TEST_CASE("gis vectors: properties are kept where they are asked for") {
   REQUIRE(city.trees.size() == 1);
   const auto row = [&](std::uint32_t i) { return city.attributes.table().row(i); };
   CHECK(row(city.buildings[0].attributes).find("id") == "A1");
+  CHECK(row(city.buildings[0].attributes).source() == "A1");
+  CHECK(row(city.trees[0].attributes).source().starts_with("town/"));  // it has none: its row
   CHECK(row(city.buildings[0].attributes).number("height") == 14.5);
   CHECK_FALSE(row(city.buildings[0].attributes).find("levels"));
   CHECK(city.buildings[1].attributes == city.buildings[2].attributes);

@@ -35,9 +35,9 @@ TEST_CASE("attributes: each text and each row is kept once") {
   CHECK(c == a);
   CHECK(writer.row({}) == 0);
   const Attributes table = writer.take();
-  CHECK(table.text == std::string("species\0Tilia\0height\0"
+  CHECK(table.text == std::string("\0species\0Tilia\0height\0"
                                   "12.5 m\0Acer\0",
-                                  34)
+                                  35)
                           .substr(0, table.text.size()));
   CHECK(table.row(a).size() == 2);
   CHECK(table.row(a).find("species") == "Tilia");
@@ -51,6 +51,25 @@ TEST_CASE("attributes: each text and each row is kept once") {
   CHECK(other.table().row(1).find("height") == "12.5 m");
   CHECK(none.row(table.row(a)) == 0);
   CHECK(none.table().text.empty());
+}
+
+TEST_CASE("attributes: a thing's id in its file is its first pair and lists stay shared") {
+  AttributeWriter writer(true);
+  const std::uint32_t a = writer.row({{"natural", "tree"}}, "node/1"), b = writer.row({{"natural", "tree"}}, "node/2"),
+                      c = writer.row({{"natural", "tree"}}), bare = writer.row({}, "node/3");
+  CHECK(writer.row({{"natural", "tree"}}, "node/2") == b);
+  const Attributes& table = writer.table();
+  CHECK(table.pairs.size() == 1);
+  CHECK(table.row(a).source() == "node/1");
+  REQUIRE(table.row(b).size() == 2);
+  CHECK(table.row(b)[0] == std::pair<std::string_view, std::string_view>(kSourceId, "node/2"));
+  CHECK(table.row(b)[1] == std::pair<std::string_view, std::string_view>("natural", "tree"));
+  CHECK(table.row(c).size() == 1);
+  CHECK(table.row(c).source().empty());
+  CHECK(table.row(bare).size() == 1);
+  CHECK(table.row(bare).find(kSourceId) == "node/3");
+  AttributeWriter other(true);
+  CHECK(other.table().row(other.row(table.row(b))).source() == "node/2");
 }
 
 TEST_CASE("attributes: tags of OpenStreetMap are those of the objects") {

@@ -25,23 +25,41 @@ Scene scene_of(std::vector<BuildingFeature> buildings) {
   return build_scene(std::move(city), {.cars = 0}, {}).scene;
 }
 
-/// Middles of the buildings that are seen from 1.7 m above the origin, to the north.
-std::vector<Vec2d> seen_of(const Scene& scene, culling::ClassMask classes = culling::kAllClasses) {
-  VisibleSets sets(scene);
-  Horizon horizon(scene);
-  sets.classes = classes;
-  const culling::View view = culling::look({0, 0, 1.7}, {0, 1, 0}, {0, 0, 1}, 1.5, 2);
-  find_visible(scene, view, Structure::bqr, sets);
-  horizon.hide(scene, view.eye, sets);
+Vec2d middle_of(const Scene& scene, std::uint32_t row) {
+  const culling::Box& b = scene.buildings.table.boxes[row];
+  return glm::round(Vec2d(b.min + b.max) / 2.0 + Vec2d(scene.tree.origin));
+}
+
+std::vector<Vec2d> middles_of(const Scene& scene, std::span<const culling::ObjectRun> objects) {
   std::vector<Vec2d> middles;
-  for (const culling::ObjectRun& run : sets.objects()) {
+  for (const culling::ObjectRun& run : objects) {
     const culling::ObjectRun rows = scene.buildings.table.rows(run);
-    for (std::uint32_t row = rows.first; row < rows.last; ++row) {
-      const culling::Box& b = scene.buildings.table.boxes[row];
-      middles.push_back(glm::round(Vec2d(b.min + b.max) / 2.0 + Vec2d(scene.tree.origin)));
-    }
+    for (std::uint32_t row = rows.first; row < rows.last; ++row) middles.push_back(middle_of(scene, row));
   }
   return middles;
+}
+
+struct Asked {
+  culling::ClassMask classes = culling::kAllClasses;
+  double near_m = 0.1;
+  Horizon::IsThere there = {};
+};
+
+/// From 1.7 m above the origin, to the north.
+VisibleSets sets_of(const Scene& scene, const Asked& asked) {
+  VisibleSets sets(scene);
+  Horizon horizon(scene);
+  sets.classes = asked.classes;
+  const culling::View view = culling::look({0, 0, 1.7}, {0, 1, 0}, {0, 0, 1}, 1.5, 2, asked.near_m);
+  find_visible(scene, view, Structure::bqr, sets);
+  horizon.hide(scene, {view.eye, sets.frustum.planes[culling::kNear]}, sets);
+  if (asked.there) horizon.reveal(scene, sets, asked.there);
+  return sets;
+}
+
+/// Middles of the buildings that are seen.
+std::vector<Vec2d> seen_of(const Scene& scene, const Asked& asked = {}) {
+  return middles_of(scene, sets_of(scene, asked).objects());
 }
 
 bool holds(const std::vector<Vec2d>& all, const Vec2d& one) {
@@ -130,9 +148,34 @@ TEST_CASE("horizon: what is not looked for hides nothing") {
   const Scene scene =
       scene_of({box({-20, 20}, {20, 30}, 12), box({-5, 100}, {5, 130}, 25), box({-5, 500}, {5, 510}, 22)});
   CHECK_FALSE(holds(seen_of(scene), {0, 505}));
-  const auto high = seen_of(scene, kBuildingOver20);
+  const auto high = seen_of(scene, {kBuildingOver20});
   CHECK(high.size() == 1);
-  CHECK_FALSE(holds(seen_of(scene, kBuildingOver20), {0, 25}));
+  CHECK_FALSE(holds(seen_of(scene, {kBuildingOver20}), {0, 25}));
+}
+
+TEST_CASE("horizon: what a near plane cuts away hides nothing") {
+  const Scene scene = scene_of({box({-20, 20}, {20, 30}, 12), box({-5, 100}, {5, 110}, 10)});
+  CHECK_FALSE(holds(seen_of(scene, {.near_m = 19}), {0, 105}));
+  CHECK(holds(seen_of(scene, {.near_m = 21}), {0, 105}));
+  CHECK(holds(seen_of(scene, {.near_m = 40}), {0, 105}));
+}
+
+TEST_CASE("horizon: what is not on the device yet hides nothing but what it will hide is not brought") {
+  const Scene scene =
+      scene_of({box({-20, 20}, {20, 30}, 12), box({-5, 100}, {5, 110}, 10), box({-4, 200}, {4, 208}, 6)});
+  const Vec2d front(0, 25), behind(0, 105), last(0, 204);
+  const auto all_but = [&](const Vec2d& missing) {
+    return sets_of(scene, {.there = [&scene, missing](std::uint32_t row) { return middle_of(scene, row) != missing; }});
+  };
+  const VisibleSets without_front = all_but(front);
+  const auto drawn = middles_of(scene, without_front.objects()), brought = middles_of(scene, without_front.to_bring());
+  CHECK(holds(drawn, front));
+  CHECK(holds(drawn, behind));
+  CHECK_FALSE(holds(drawn, last));  // the one in the middle is there
+  CHECK(brought == std::vector<Vec2d>{front});
+  const VisibleSets without_last = all_but(last);
+  CHECK(middles_of(scene, without_last.objects()) == std::vector<Vec2d>{front});
+  CHECK(middles_of(scene, without_last.to_bring()) == std::vector<Vec2d>{front});
 }
 
 TEST_CASE("horizon: walls that continue each other leave no gap between them") {
@@ -157,7 +200,7 @@ TEST_CASE("horizon: no ray reaches what was taken away") {
       const Vec3d eye = place_on_a_street(*scene, random.bits(), n % 4 == 3 ? 14 : 1.7);
       find_visible(*scene, looking(eye, 0.9 * n), Structure::bqr, sets);
       const auto all = numbers(sets.objects());
-      horizon.hide(*scene, eye, sets);
+      horizon.hide(*scene, {eye}, sets);
       const auto left = numbers(sets.objects());
       REQUIRE(std::includes(all.begin(), all.end(), left.begin(), left.end()));
       const Triangles triangles = triangles_of(*scene, sets.objects());
@@ -190,7 +233,7 @@ TEST_CASE("horizon: a town ten times as large costs little more from the same co
     for (int i = 0; i < 8; ++i) {
       const culling::View view = looking({-4.6, -17.7, 1.7}, 0.2 + 0.785 * i);
       find_visible(scene, view, Structure::bqr, sets);
-      if (hide) horizon.hide(scene, view.eye, sets);
+      if (hide) horizon.hide(scene, {view.eye}, sets);
       triangles += triangles_of(scene, sets.objects()).size();
     }
     return static_cast<double>(triangles);

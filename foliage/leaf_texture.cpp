@@ -1,4 +1,4 @@
-#include "foliage/gl/leaf_texture.h"
+#include "foliage/leaf_texture.h"
 
 #include <algorithm>
 #include <cmath>
