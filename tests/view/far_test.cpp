@@ -1,5 +1,6 @@
 // What hosts get without asking: far trees as mosaics and groves, made on their threads; what stands behind buildings
 // left out.
+#include <tbb/global_control.h>
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <deque>
@@ -144,6 +145,7 @@ TEST_CASE("view: tasks that outlast the view or its context do nothing") {
 }
 
 TEST_CASE("view: threads of its own are there only for far trees and end with release") {
+  const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);  // TBB's are not counted
   const gl::HeadlessContext context;
   const HostWindow window(kWidth, kHeight);
   View view;
