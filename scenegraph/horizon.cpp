@@ -44,19 +44,11 @@ float turned(float from, float to) {
   return t > 2 ? t - 4 : t < -2 ? t + 4 : t;
 }
 
-bool is_wall(const CityVertex& v) { return static_cast<Material>(v.colour >> 24) == Material::wall; }
-bool same_place(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y; }
+bool is_band(const Horizon::Column& c) { return c.low < c.high; }
 
-/// Of two triangles that make an upright rectangle, or trapezium, the corners: low left, low right, top right and left.
-std::optional<std::array<const CityVertex*, 4>> upright(const StoredMesh& mesh, std::size_t i) {
-  const std::uint32_t* k = &mesh.indices[i];
-  if (k[3] != k[0] || k[4] != k[2]) return {};
-  const std::array<const CityVertex*, 4> q{&mesh.vertices[k[0]], &mesh.vertices[k[1]], &mesh.vertices[k[2]],
-                                           &mesh.vertices[k[5]]};
-  const bool stands = is_wall(*q[0]) && same_place(q[0]->position, q[3]->position) &&
-                      same_place(q[1]->position, q[2]->position) && q[0]->position.z < q[3]->position.z &&
-                      q[1]->position.z < q[2]->position.z;
-  return stands ? std::optional(q) : std::nullopt;
+/// What both cover.
+Horizon::Column both(const Horizon::Column& a, const Horizon::Column& b) {
+  return {std::max(a.low, b.low), std::min(a.high, b.high), std::max(a.farthest, b.farthest)};
 }
 
 float plan_distance(const Vec3& min, const Vec3& max) {
@@ -111,22 +103,6 @@ bool all_there(const LayerTable& table, std::span<const ObjectRun> objects, cons
 
 }  // namespace
 
-std::vector<Horizon::Wall> upright_walls(const Scene& scene, std::uint32_t building) {
-  const MeshLayer& layer = scene.buildings;
-  std::vector<Horizon::Wall> walls;
-  for (std::size_t i = layer.index_first[building]; i + 6 <= layer.index_first[building + 1]; i += 3) {
-    const auto q = upright(layer.mesh, i);
-    if (!q) continue;
-    std::array<Vec3d, 4> p;
-    for (std::size_t k = 0; k < 4; ++k) p[k] = scene.blocks[(*q)[k]->block].axes * Vec3d((*q)[k]->position);
-    const Vec2 a(p[0]), b(p[1]);
-    walls.push_back({a, b, static_cast<float>(std::max(p[0].z, p[1].z)), static_cast<float>(std::min(p[2].z, p[3].z)),
-                     !walls.empty() && walls.back().b == a});
-    i += 3;
-  }
-  return walls;
-}
-
 Horizon::Horizon(const Scene& scene) : columns_(kColumns), walls_(scene.buildings.table.size()) {
   for (std::size_t i = 0; i <= kColumns; ++i) edges_.push_back(direction_of(4.0 * static_cast<double>(i) / kColumns));
   const culling::BqrTree& tree = scene.tree;
@@ -139,7 +115,7 @@ Horizon::Horizon(const Scene& scene) : columns_(kColumns), walls_(scene.building
   near_.reserve(boxes_.size());
 }
 
-const std::vector<Horizon::Wall>& Horizon::walls_of(const Scene& scene, std::uint32_t building) {
+const std::vector<UprightWall>& Horizon::walls_of(const Scene& scene, std::uint32_t building) {
   auto& walls = walls_[building];
   if (!walls) walls = upright_walls(scene, building);
   return *walls;
@@ -231,75 +207,87 @@ bool Horizon::hidden(const culling::BoxD& box) const {
 
 void Horizon::add_walls(const Scene& scene, std::uint32_t block, const ObjectRun& buildings) {
   const Vec3 offset(scene.blocks[block].origin - eye_);
-  const auto hides = [&](const Wall& w) {
+  const float lean = glm::length(Vec2(Vec2d(scene.blocks[block].axes[2])));
+  const auto hides = [&](const UprightWall& w) {
     const Vec2 a = w.a + Vec2(offset), b = w.b + Vec2(offset);
     return a.x * b.y - a.y * b.x < 0 && w.top + offset.z > 0 && w.bottom + offset.z < 0;
   };
+  const auto add_all = [&](std::span<const UprightWall> joined) {  // of a ring, none is torn in its middle
+    const bool ring = joined.front().a == joined.back().b;
+    const auto start = ring ? std::ranges::find_if_not(joined, hides) - joined.begin() : 0;
+    chain_.clear();
+    for (std::size_t n = 0; n < joined.size(); ++n) {
+      const UprightWall& wall = joined[(static_cast<std::size_t>(start) + n) % joined.size()];
+      if (hides(wall))
+        chain_.push_back(wall);
+      else
+        add_chain(offset, lean), chain_.clear();
+    }
+    add_chain(offset, lean);
+  };
   for (std::uint32_t row = buildings.first; row < buildings.last; ++row) {
-    const std::vector<Wall>& walls = walls_of(scene, row);
+    const std::span<const UprightWall> walls = walls_of(scene, row);
     for (std::size_t i = 0, end = 0; i < walls.size(); i = end) {
-      end = i + 1;
-      if (!hides(walls[i])) continue;
-      while (end < walls.size() && walls[end].joined && hides(walls[end])) ++end;
-      add_chain(std::span(walls).subspan(i, end - i), offset);
+      for (end = i + 1; end < walls.size() && walls[end].joined;) ++end;
+      add_all(walls.subspan(i, end - i));
     }
   }
 }
 
 /// Whether any of an upright line of the wall lies before the near plane.
-bool Horizon::is_cut(const Vec2& at, const Wall& wall, float up) const {
+bool Horizon::is_cut(const Vec2& at, const UprightWall& wall, float up) const {
   constexpr float kClose = 0.01F;  // metres
   const Vec3& n = near_plane_.normal;
   const float z = (n.z > 0 ? wall.bottom : wall.top) + up;
   return n.x * at.x + n.y * at.y + n.z * z + near_plane_.offset < kClose;
 }
 
+/// Of a wall that goes on to both sides of the column.
+Horizon::Column Horizon::seen_in(std::size_t column, const UprightWall& wall, const Facing& facing, float up) const {
+  const float u = glm::dot(facing.normal, edges_[column]), v = glm::dot(facing.normal, edges_[column + 1]);
+  const float slant = std::min(u, v) / facing.away, nearest = facing.away / std::max(u, v);
+  const auto cut = [&](std::size_t edge, float part) { return is_cut(edges_[edge] * (facing.away / part), wall, up); };
+  const bool seen = facing.away > kLeastAway && nearest > static_cast<float>(kNearest) && slant > 0;
+  if (!seen || cut(column, u) || cut(column + 1, v)) return {};
+  return {(wall.bottom + up) * slant * (1 - kMargin), (wall.top + up) * slant * (1 - kMargin), (1 + kMargin) / slant};
+}
+
 /// Walls that continue each other, clockwise about the eye. Columns at both ends are covered in part, and so not at
 /// all.
-void Horizon::add_chain(std::span<const Wall> chain, const Vec3& offset) {
+void Horizon::add_chain(const Vec3& offset, float lean) {
+  if (chain_.empty()) return;
   const Vec2 at(offset);
-  std::int64_t open = std::numeric_limits<std::int64_t>::max();  // the column that the wall before ended in
+  const auto slack = [&](const UprightWall& wall,
+                         const Vec2& end) {  // in columns, of which a turn has more than enough
+    return (wall.slack + lean * std::max(-wall.bottom, wall.top)) / glm::length(end + at) * kColumnsATurn;
+  };
+  const auto column_of = [](float columns) { return static_cast<std::int64_t>(std::floor(columns)); };
+  float now = turn_of(chain_.front().a + at) * kColumnsATurn;
+  const std::int64_t begin = column_of(now - slack(chain_.front(), chain_.front().a));
+  std::int64_t open = begin;  // the column that the wall before ended in
   Column so_far;
-  float turn = turn_of(chain.front().a + at);
-  for (std::size_t w = 0; w < chain.size(); ++w) {
-    const Wall& wall = chain[w];
-    const Vec2 a = wall.a + at, b = wall.b + at, along = glm::normalize(b - a), normal(-along.y, along.x);
-    const float away = glm::dot(normal, a);  // of the wall's plane
-    const float end = turn + turned(turn_of(a), turn_of(b));
-    const auto first = static_cast<std::int64_t>(std::floor(turn * kColumnsATurn)),
-               last = static_cast<std::int64_t>(std::floor(end * kColumnsATurn));
-    for (std::int64_t i = first; i >= last; --i) {
+  for (const UprightWall& wall : chain_) {
+    const float next = now + turned(turn_of(wall.a + at), turn_of(wall.b + at)) * kColumnsATurn;
+    const Vec2 along = glm::normalize(wall.b - wall.a), normal(-along.y, along.x);
+    const Facing facing{normal, glm::dot(normal, wall.a + at)};
+    const std::int64_t last = column_of(&wall == &chain_.back() ? next + slack(wall, wall.b) : next);
+    for (std::int64_t i = std::min(column_of(now), begin); i >= last; --i) {
       const std::size_t column = wrapped(i);
-      const float u = glm::dot(normal, edges_[column]), v = glm::dot(normal, edges_[column + 1]);
-      const float slant = std::min(u, v) / away, nearest = away / std::max(u, v);
-      Column with{};
-      const auto cut = [&](std::size_t edge, float part) {
-        return is_cut(edges_[edge] * (away / part), wall, offset.z);
-      };
-      if (away > kLeastAway && nearest > static_cast<float>(kNearest) && slant > 0 && !cut(column, u) &&
-          !cut(column + 1, v))
-        with = {(wall.bottom + offset.z) * slant * (1 - kMargin), (wall.top + offset.z) * slant * (1 - kMargin),
-                (1 + kMargin) / slant};
-      if (i == open) {
-        with.low = std::max(with.low, so_far.low), with.high = std::min(with.high, so_far.high);
-        with.farthest = std::max(with.farthest, so_far.farthest);
-      }
-      const bool begins = w == 0 && i == first, ends = i == last;
-      if (begins) with = {};
-      if (ends)
+      const Column seen = seen_in(column, wall, facing, offset.z), with = i == open ? both(seen, so_far) : seen;
+      if (i == last)
         open = i, so_far = with;
       else
         cover(column, with);
     }
-    turn = end;
+    now = next;
   }
 }
 
 /// Nearer walls have been there before: what hides already stays, and a wall that rises from it makes it higher.
 void Horizon::cover(std::size_t column, const Column& with) {
   Column& c = columns_[column];
-  if (!(with.low < with.high)) return;
-  if (!(c.low < c.high))
+  if (!is_band(with)) return;
+  if (!is_band(c))
     c = with;
   else if ((with.low < c.low || with.high > c.high) && with.low <= c.high && with.high >= c.low)
     c = {std::min(c.low, with.low), std::max(c.high, with.high), std::max(c.farthest, with.farthest)};

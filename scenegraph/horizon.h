@@ -10,12 +10,13 @@
 ///   find_cars(scene, tick, sets);
 ///   horizon.hide_cars(sets);
 /// Conservative: a wall hides only in directions that it, or the walls that continue it, cover in full, only what is
-/// farther than it anywhere there, and only if it is drawn: in the sets, beyond the near plane, on the device. Walls
-/// with both ends upright count, of whatever file. Seen from above the roofs there are none, and it costs next to
-/// nothing. It is about an eye: an orthographic view has none.
+/// farther than it anywhere there, and only if it is drawn: in the sets, beyond the near plane, on the device. What
+/// stands upright counts, of whatever file (upright_walls.h). Seen from above the roofs there is none, and it costs
+/// next to nothing. It is about an eye: an orthographic view has none.
 #include <functional>
 #include <optional>
 
+#include "scenegraph/upright_walls.h"
 #include "scenegraph/visible.h"
 
 namespace manzana {
@@ -40,13 +41,6 @@ class Horizon {
   void hide_cars(VisibleSets& sets) const;
   static constexpr double kNearest = 2;  ///< metres: nearer walls hide nothing
 
-  /// A wall that stands upright; metres along L's axes, from its block's origin. Seen from outside it runs from left to
-  /// right.
-  struct Wall {
-    Vec2 a{0, 0}, b{0, 0};
-    float bottom = 0, top = 0;
-    bool joined = false;  ///< it begins where the one before ends
-  };
   struct Column {
     float low = 0, high = 0, farthest = 0;  ///< tangents of elevation; metres in plan
   };
@@ -56,27 +50,30 @@ class Horizon {
     float distance = 0;
     std::uint32_t number = 0, planes = 0;
   };
+  struct Facing {
+    Vec2 normal{0, 0};  ///< of a wall's plane, away from the eye
+    float away = 0;
+  };
   void list_blocks(const VisibleSets& sets);
   bool hidden(const culling::BoxD& box) const;
   void sweep(const Scene& scene, VisibleSets& sets, const IsThere& there);
   void keep_objects(const Scene& scene, std::uint32_t block, VisibleSets& sets, const IsThere& there);
-  bool is_cut(const Vec2& at, const Wall& wall, float up) const;
+  bool is_cut(const Vec2& at, const UprightWall& wall, float up) const;
   void add_walls(const Scene& scene, std::uint32_t block, const culling::ObjectRun& buildings);
-  void add_chain(std::span<const Wall> chain, const Vec3& offset);
+  void add_chain(const Vec3& offset, float lean);
+  Column seen_in(std::size_t column, const UprightWall& wall, const Facing& facing, float up) const;
   void cover(std::size_t column, const Column& with);
-  const std::vector<Wall>& walls_of(const Scene& scene, std::uint32_t building);
+  const std::vector<UprightWall>& walls_of(const Scene& scene, std::uint32_t building);
 
   Vec3d eye_{0, 0, 0};
   culling::Plane near_plane_;  ///< relative to it
   std::vector<Vec2> edges_;    ///< between columns: directions of unit length
   std::vector<Column> columns_;
-  std::vector<std::optional<std::vector<Wall>>> walls_;  ///< a row a building, once it was near
-  std::vector<culling::BoxD> boxes_;                     ///< a row a block, in L
-  std::vector<Near> near_;                               ///< blocks of the sets, the nearest first
-  std::vector<Near> objects_;                            ///< of the block at hand
+  std::vector<std::optional<std::vector<UprightWall>>> walls_;  ///< a row a building, once it was near
+  std::vector<UprightWall> chain_;                              ///< at hand, as it is seen
+  std::vector<culling::BoxD> boxes_;                            ///< a row a block, in L
+  std::vector<Near> near_;                                      ///< blocks of the sets, the nearest first
+  std::vector<Near> objects_;                                   ///< of the block at hand
 };
-
-/// The walls of a building's mesh that a horizon can use.
-std::vector<Horizon::Wall> upright_walls(const Scene& scene, std::uint32_t building);
 
 }  // namespace manzana

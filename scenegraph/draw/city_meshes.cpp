@@ -1,6 +1,7 @@
 #include "scenegraph/draw/city_meshes.h"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -67,13 +68,14 @@ void put(const gl::Buffer& buffer, std::size_t at, const std::vector<T>& items) 
                        static_cast<GLsizeiptr>(items.size() * sizeof(T)), items.data());
 }
 
-template <class Keep>
-std::size_t sum_of(std::initializer_list<const LayerPieces*> layers, Keep&& keep) {
-  std::size_t sum = 0;
-  for (const LayerPieces* layer : layers)
-    for (std::size_t p = 0; p < layer->pieces.size(); ++p)
-      if (keep(*layer, p)) sum += layer->pieces[p].bytes();
-  return sum;
+std::size_t bytes_of(const LayerPieces& layer) {
+  const auto bytes = [](std::size_t sum, const Piece& piece) { return sum + piece.bytes(); };
+  return std::accumulate(layer.pieces.begin(), layer.pieces.begin() + layer.count, std::size_t{0}, bytes);
+}
+
+void settle(LayerPieces& pieces) {
+  pieces.fading = 0;
+  for (const std::uint32_t piece : pieces.in_sight) pieces.settle(piece);
 }
 
 }  // namespace
@@ -81,21 +83,14 @@ std::size_t sum_of(std::initializer_list<const LayerPieces*> layers, Keep&& keep
 CityMeshes::CityMeshes(const Scene& scene)
     : buildings(scene.buildings, scene.tree.origin),
       surfaces(scene.surfaces, scene.tree.origin),
-      shares_(make_shares()) {
+      shares_(make_shares()),
+      all_(bytes_of(buildings) + bytes_of(surfaces)) {
   if (scene.blocks.size() >= kMaxBlocks) throw std::runtime_error("a scene of 2^24 blocks cannot be drawn");
   wanted_.reserve(buildings.pieces.size() + surfaces.pieces.size());
   resize(kFirstVertices, kFirstIndices);
 }
 
 std::size_t CityMeshes::device_bytes() const { return bytes_for(vertex_room_.size(), index_room_.size()); }
-
-std::size_t CityMeshes::seen_bytes() const {
-  return sum_of({&buildings, &surfaces}, [](const LayerPieces& layer, std::size_t p) { return layer.seen[p] > 0; });
-}
-
-std::size_t CityMeshes::all_bytes() const {
-  return sum_of({&buildings, &surfaces}, [](const LayerPieces& layer, std::size_t p) { return p < layer.count; });
-}
 
 std::size_t CityMeshes::bring(const Scene& scene, std::span<const culling::ObjectRun> objects, const MeshDetail& detail,
                               std::size_t most_bytes) {
@@ -121,21 +116,19 @@ std::size_t CityMeshes::bring(const Scene& scene, std::span<const culling::Objec
 
 void CityMeshes::want(const MeshLayer& layer, LayerPieces& pieces, std::span<const culling::ObjectRun> objects,
                       const MeshDetail& detail) {
+  pieces.in_sight.clear();
   for (const culling::ObjectRun& run : objects)
     pieces.for_each(layer.table, run, [&](std::uint32_t piece, const culling::ObjectRun&) {
       if (std::exchange(pieces.chosen[piece], frame_) == frame_) return;
       pieces.choose(piece, detail);
+      pieces.in_sight.push_back(piece);
       for (const std::uint32_t item : {pieces.shown[piece].item, pieces.shown[piece].next}) {
-        if (std::exchange(pieces.seen[item], frame_) == frame_) continue;
+        const std::uint64_t before = std::exchange(pieces.seen[item], frame_);
+        if (before == frame_) continue;
+        if (before == 0) seen_ += pieces.pieces[item].bytes();
         if (!pieces.held[item] && pieces.pieces[item].indices > 0) wanted_.push_back({&layer, &pieces, item});
       }
     });
-}
-
-void CityMeshes::settle(LayerPieces& pieces) const {
-  pieces.fading = 0;
-  for (std::uint32_t piece = 0; piece < pieces.count; ++piece)
-    if (pieces.chosen[piece] == frame_) pieces.settle(piece);
 }
 
 bool CityMeshes::hold(const Wanted& wanted) {

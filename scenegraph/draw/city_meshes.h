@@ -33,8 +33,8 @@ class CityMeshes {
   const gl::VertexArray& fading_array() const { return fading_array_; }  ///< with shares by base instance
   std::size_t device_bytes() const;                                      ///< of the buffers
   std::size_t held_bytes() const { return held_; }                       ///< of pieces
-  std::size_t seen_bytes() const;                         ///< of pieces that have been in sight at any time
-  std::size_t all_bytes() const;                          ///< of all pieces in full detail
+  std::size_t seen_bytes() const { return seen_; }        ///< of pieces that have been in sight at any time
+  std::size_t all_bytes() const { return all_; }          ///< of all pieces in full detail
   std::size_t missing_bytes() const { return missing_; }  ///< in sight at the last bring(), and without room
 
  private:
@@ -48,7 +48,6 @@ class CityMeshes {
   };
   void want(const MeshLayer& layer, LayerPieces& pieces, std::span<const culling::ObjectRun> objects,
             const MeshDetail& detail);
-  void settle(LayerPieces& pieces) const;
   bool hold(const Wanted& wanted);
   std::optional<Place> take(const Piece& piece);
   bool make_room(const Piece& piece);
@@ -64,7 +63,7 @@ class CityMeshes {
   gl::Ranges vertex_room_, index_room_;
   std::vector<Wanted> wanted_;
   std::uint64_t frame_ = 0;
-  std::size_t held_ = 0, missing_ = 0;
+  std::size_t held_ = 0, seen_ = 0, all_ = 0, missing_ = 0;
 };
 
 /// Commands for what is held and shown of the runs, adjacent ones merged: `whole` of pieces that show one item, else of

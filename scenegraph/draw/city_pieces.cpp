@@ -135,6 +135,7 @@ LayerPieces::LayerPieces(const MeshLayer& layer, const Vec3d& origin)
       boxes[p] = merge(boxes[p], {Vec3d(box.min) + origin, Vec3d(box.max) + origin});
     }
   }
+  in_sight.reserve(count);
   add_levels(pieces, layer);
   held.resize(pieces.size());
   seen.resize(pieces.size());

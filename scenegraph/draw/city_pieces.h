@@ -56,7 +56,8 @@ struct LayerPieces {
   std::vector<culling::BoxD> boxes;       ///< a piece each, in L
   std::vector<std::uint64_t> chosen;      ///< a piece each: when
   std::vector<Shown> shown;               ///< a piece each
-  std::size_t fading = 0;                 ///< pieces of which two items are shown
+  std::vector<std::uint32_t> in_sight;    ///< pieces that were chosen last
+  std::size_t fading = 0;                 ///< of these, those of which two items are shown
 
   bool has_levels() const { return pieces.size() > count; }
   void choose(std::uint32_t piece, const MeshDetail& detail);

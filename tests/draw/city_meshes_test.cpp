@@ -109,6 +109,14 @@ TEST_CASE("commands draw what is held of the runs and what is not held waits") {
                    .triangles;
     CHECK(drawn == (round == 0 ? 0 : triangles(scene.buildings, runs)));
     CHECK((left > 0) == (round == 0));
+    const auto seen = [&](std::uint32_t piece) {
+      const culling::ObjectRun& rows = meshes.buildings.pieces[piece].rows;
+      return std::ranges::any_of(runs, [&](const culling::ObjectRun& run) {
+        const culling::ObjectRun of_run = scene.buildings.table.rows(run);
+        return of_run.first < rows.last && rows.first < of_run.last;
+      });
+    };
+    CHECK(std::ranges::all_of(meshes.buildings.in_sight, seen));  // what a frame costs follows them
   }
   CHECK(meshes.held_bytes() <= meshes.all_bytes());
   CHECK(meshes.device_bytes() <= 1.25 * static_cast<double>(meshes.all_bytes()) + 700'000);

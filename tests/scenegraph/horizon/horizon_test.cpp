@@ -6,7 +6,7 @@
 
 #include "scenegraph/classes.h"
 #include "scenegraph/import/import.h"
-#include "tests/support/random.h"
+#include "tests/scenegraph/horizon/rays.h"
 
 namespace manzana {
 namespace {
@@ -66,49 +66,6 @@ bool holds(const std::vector<Vec2d>& all, const Vec2d& one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-/// From the eye to the point, at t of the way, both ends out.
-bool crosses(const Vec3d& eye, const Vec3d& point, const std::array<Vec3d, 3>& t) {
-  const Vec3d d = point - eye, e1 = t[1] - t[0], e2 = t[2] - t[0], n = glm::cross(e1, e2);
-  const double facing = -glm::dot(d, n);
-  if (facing <= 0) return false;  // its back
-  const Vec3d from = eye - t[0], q = glm::cross(from, d);
-  const double at = glm::dot(from, n) / facing, u = glm::dot(e2, q) / facing, v = -glm::dot(e1, q) / facing;
-  constexpr double kSeam = 1e-4;  // floats of two triangles that share an edge
-  return at > 0 && at < 1 && u > -kSeam && v > -kSeam && u + v < 1 + kSeam;
-}
-
-using Triangles = std::vector<std::array<Vec3d, 3>>;
-
-Triangles triangles_of(const Scene& scene, std::span<const culling::ObjectRun> objects) {
-  const MeshLayer& layer = scene.buildings;
-  Triangles all;
-  for (const culling::ObjectRun& run : objects) {
-    const culling::ObjectRun rows = layer.table.rows(run);
-    for (std::uint32_t i = layer.index_first[rows.first]; i < layer.index_first[rows.last]; i += 3) {
-      std::array<Vec3d, 3> t;
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const CityVertex& v = layer.mesh.vertices[layer.mesh.indices[i + k]];
-        t[k] = scene.blocks[v.block].to_local(Vec3d(v.position));
-      }
-      all.push_back(t);
-    }
-  }
-  return all;
-}
-
-std::vector<std::uint32_t> numbers(std::span<const culling::ObjectRun> runs) {
-  std::vector<std::uint32_t> all;
-  for (const culling::ObjectRun& run : runs)
-    for (std::uint32_t i = run.first; i < run.last; ++i) all.push_back(i);
-  return all;
-}
-
-const culling::Box* box_of(const Scene& scene, std::uint32_t object) {
-  for (const LayerTable* table : {&scene.trees.table, &scene.buildings.table, &scene.surfaces.table})
-    if (table->row_first[object] < table->row_first[object + 1]) return &table->boxes[table->row_first[object]];
-  return nullptr;
-}
-
 const Scene& town() {
   static const Imported city = import_city("builtin:town", {}, {});
   return city.scene;
@@ -121,10 +78,6 @@ const Scene& town_of_ten() {
 Vec3d place_on_a_street(const Scene& scene, std::uint64_t number, double height) {
   const auto& points = scene.traffic.points;
   return Vec3d(points[number % points.size()].position) + Vec3d(0, 0, height);
-}
-
-culling::View looking(const Vec3d& eye, double turn) {
-  return culling::look(eye, {std::cos(turn), std::sin(turn), 0}, {0, 0, 1}, 1.05, 16.0 / 9);
 }
 
 }  // namespace
@@ -192,36 +145,14 @@ TEST_CASE("horizon: walls that continue each other leave no gap between them") {
 
 TEST_CASE("horizon: no ray reaches what was taken away") {
   support::Random random(3);
-  std::size_t gone = 0, asked = 0;
+  Taken taken;
   for (const Scene* scene : {&town(), &town_of_ten()}) {
-    VisibleSets sets(*scene);
-    Horizon horizon(*scene);
-    for (int n = 0; n < 12; ++n) {
-      const Vec3d eye = place_on_a_street(*scene, random.bits(), n % 4 == 3 ? 14 : 1.7);
-      find_visible(*scene, looking(eye, 0.9 * n), Structure::bqr, sets);
-      const auto all = numbers(sets.objects());
-      horizon.hide(*scene, {eye}, sets);
-      const auto left = numbers(sets.objects());
-      REQUIRE(std::includes(all.begin(), all.end(), left.begin(), left.end()));
-      const Triangles triangles = triangles_of(*scene, sets.objects());
-      for (const std::uint32_t object : all) {
-        if (std::binary_search(left.begin(), left.end(), object)) continue;
-        ++gone;
-        if (random.below(static_cast<int>(all.size())) > 60) continue;
-        const culling::Box* b = box_of(*scene, object);
-        REQUIRE(b != nullptr);
-        for (int k = 0; k < 12; ++k) {
-          const auto part = [&] { return k < 8 ? static_cast<double>(random.below(2)) : random.unit(); };
-          const Vec3d at = glm::mix(Vec3d(b->min), Vec3d(b->max), Vec3d(part(), part(), part())) + scene->tree.origin;
-          ++asked;
-          INFO("eye " << eye.x << " " << eye.y << " object " << object << " at " << at.x << " " << at.y << " " << at.z);
-          REQUIRE(std::any_of(triangles.begin(), triangles.end(), [&](const auto& t) { return crosses(eye, at, t); }));
-        }
-      }
-    }
+    std::vector<Vec3d> eyes;
+    for (int n = 0; n < 12; ++n) eyes.push_back(place_on_a_street(*scene, random.bits(), n % 4 == 3 ? 14 : 1.7));
+    taken += check_by_rays(*scene, eyes, random);
   }
-  CHECK(gone > 5000);
-  CHECK(asked > 2000);
+  CHECK(taken.gone > 5000);
+  CHECK(taken.rays > 2000);
 }
 
 // The same corner in a town ten times as large: what is brought and submitted, over eight ways of looking.
