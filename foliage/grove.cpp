@@ -47,7 +47,8 @@ struct Ranked {
 };
 
 /// All keys of a tree are spread over [0, 1), those of different trees out of step.
-void add_tree(const PreparedPlant& plant, const GroveFit& fit, const TreeSite& site, std::vector<Ranked>& all) {
+void add_tree(const PreparedPlant& plant, const TreeSite& site, std::vector<Ranked>& all) {
+  const GroveFit& fit = plant.grove;
   const std::vector<std::uint32_t> rows = chosen_points(fit, points_of(plant, site), site.hash >> 8);
   double sum = 0;
   for (const std::uint32_t row : rows) sum += static_cast<double>(plant.points[row].area);
@@ -93,6 +94,26 @@ double within_outline(const GroveSight& sight, double cover_m2, double square_m2
   return -larger * std::log1p(-covered / larger) / cover_m2;
 }
 
+/// What all trees' points should sum up to when so large a share of them is meant; what they cover, and that by what
+/// they should be lighter.
+struct Sum {
+  double area = 0, light = 0, cover = 0;
+};
+Sum sum_of(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites, std::size_t view, double share) {
+  Sum sum;
+  for (const TreeSite& site : sites) {
+    const std::uint32_t n = points_of(plants[site.plant], site);
+    if (n == 0) continue;
+    const GroveFit& fit = plants[site.plant].grove;
+    const double scale = outline_scale(plants[site.plant], site, view),
+                 cover = scale * static_cast<double>(fit.cover_m2[view]);
+    sum.area += scale * fitted(fit.area, view, share * n);
+    sum.light += cover * fitted(fit.light, view, share * n);
+    sum.cover += cover;
+  }
+  return sum;
+}
+
 }  // namespace
 
 GroveRule grove_rule(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites) {
@@ -104,33 +125,11 @@ GroveRule grove_rule(std::span<const PreparedPlant> plants, std::span<const Tree
   return rule;
 }
 
-const GroveFit& GroveMaker::fit_of(std::uint32_t plant) {
-  if (!fits_[plant]) fits_[plant] = fit_grove(plants_[plant], kMostPoints);
-  return *fits_[plant];
-}
-
-/// What all trees' points should sum up to when so large a share of them is meant; what they cover, and that by what
-/// they should be lighter.
-GroveMaker::Sum GroveMaker::sum_of(std::span<const TreeSite> sites, std::size_t view, double share) {
-  Sum sum;
-  for (const TreeSite& site : sites) {
-    const std::uint32_t n = points_of(plants_[site.plant], site);
-    if (n == 0) continue;
-    const GroveFit& fit = fit_of(site.plant);
-    const double scale = outline_scale(plants_[site.plant], site, view),
-                 cover = scale * static_cast<double>(fit.cover_m2[view]);
-    sum.area += scale * fitted(fit.area, view, share * n);
-    sum.light += cover * fitted(fit.light, view, share * n);
-    sum.cover += cover;
-  }
-  return sum;
-}
-
-Grove GroveMaker::make(std::span<const TreeSite> sites, std::uint32_t level) {
-  Grove grove{{}, grove_rule(plants_, sites)};
+Grove make_grove(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites, std::uint32_t level) {
+  Grove grove{{}, grove_rule(plants, sites)};
   GroveRule& rule = grove.rule;
   std::vector<Ranked> all;
-  for (const TreeSite& site : sites) add_tree(plants_[site.plant], fit_of(site.plant), site, all);
+  for (const TreeSite& site : sites) add_tree(plants[site.plant], site, all);
   std::stable_sort(all.begin(), all.end(), [](const Ranked& a, const Ranked& b) { return a.key < b.key; });
   for (const Ranked& ranked : all) grove.points.push_back(ranked.point);
   const auto n = static_cast<double>(all.size());
@@ -138,7 +137,7 @@ Grove GroveMaker::make(std::span<const TreeSite> sites, std::uint32_t level) {
     const double meant = std::max(1.0, std::exp2(-static_cast<double>(i)) * n / kBeyond),
                  shown = shown_area(grove.points, meant);
     for (std::size_t view = 0; view < kGroveViews && shown > 0; ++view) {
-      const Sum sum = sum_of(sites, view, meant / n);
+      const Sum sum = sum_of(plants, sites, view, meant / n);
       rule.worth[view][i] = static_cast<float>(sum.area / shown * meant / n);
       rule.light[view][i] = static_cast<float>(sum.light / sum.cover);
       rule.cover[view] = static_cast<float>(sum.cover) / rule.cover_m2;

@@ -2,13 +2,12 @@
 /// A grove: the trees of a block, seen from afar, as one cloud of points. Where a tree is a handful of pixels high its
 /// own data tells no more than a few points do, so that what is drawn should follow the pixels that a wood covers and
 /// not how many trees it has.  [the "block of trees" of Zhang 2004's future work, by Deussen's points]
-///   Grove grove = GroveMaker(plants).make(sites_of_the_block);               // once, on any thread
+///   Grove grove = make_grove(plants, sites_of_the_block);                    // once, on any thread
 ///   GroveShown shown = shown_of(grove.rule, {error_m, up}, points_there);    // each frame
 /// Each tree gives the first so many points of one of its levels, as many as it covers squares of the error where it
 /// is just too large for a grove. They stand in an order of which every prefix has of each tree its share, spread over
 /// its crown, to a point: fewer is "the first so many", with larger areas.
 #include <array>
-#include <optional>
 #include <span>
 
 #include "foliage/grove_fit.h"
@@ -41,24 +40,8 @@ struct Grove {
 
 /// What it will have, but for `worth`; cheap.
 GroveRule grove_rule(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites);
-/// Points and fits of species, made when first asked for: of one thread.
-class GroveMaker {
- public:
-  /// The plants must outlive it.
-  explicit GroveMaker(std::span<const PreparedPlant> plants) : plants_(plants), fits_(plants.size()) {}
-  /// `level`: half as many of its points as those of the level before; 0: all.
-  Grove make(std::span<const TreeSite> sites, std::uint32_t level = 0);
-
- private:
-  const GroveFit& fit_of(std::uint32_t plant);
-  struct Sum {
-    double area = 0, light = 0, cover = 0;
-  };
-  Sum sum_of(std::span<const TreeSite> sites, std::size_t view, double share);
-
-  std::span<const PreparedPlant> plants_;
-  std::vector<std::optional<GroveFit>> fits_;
-};
+/// `level`: half as many of its points as those of the level before; 0: all.
+Grove make_grove(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites, std::uint32_t level = 0);
 inline std::uint32_t points_at(std::uint32_t all, std::uint32_t level) { return (all + (1U << level) - 1) >> level; }
 
 /// The first `count` points, their areas times `scale`, their light times `light`; those near `edge` shrink away, over

@@ -155,10 +155,10 @@ double light_of_all(Fitter& fitter, const GroveFit& fit, std::size_t view) {
 
 }  // namespace
 
-GroveFit fit_grove(const PreparedPlant& plant, std::uint32_t most) {
+GroveFit fit_grove(const PreparedPlant& plant) {
   GroveFit fit;
   if (plant.point_levels.empty()) return fit;
-  fit.points = level_with(plant, most).points;
+  fit.points = level_with(plant, 1U << (kGroveFits - 1)).points;
   Fitter fitter(plant);
   for (std::size_t view = 0; view < kGroveViews; ++view) {
     const double up = static_cast<double>(sine_of(view));

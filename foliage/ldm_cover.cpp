@@ -126,7 +126,7 @@ std::vector<Vec3d> ldm_fitting_directions() {
 
 LdmAlphas::LdmAlphas(const LdmPack& pack) {
   std::vector<float> finest;
-  for (std::size_t i = 3; i < pack.colour.size(); i += 4) finest.push_back(static_cast<float>(pack.colour[i]) / 255);
+  for (std::size_t i = 3; i < pack.level_begin(1); i += 4) finest.push_back(static_cast<float>(pack.colour[i]) / 255);
   levels_.push_back(std::move(finest));
   for (int side = kLdmPage / 2; levels_.size() <= kLdmShrinks; side /= 2) {
     const std::vector<float>& from = levels_.back();

@@ -52,7 +52,7 @@ void check(const LdmPack& pack) {
   for (const float grown : pack.grown)
     if (!(std::abs(grown) <= 1)) fail("its mosaics grow out of range");
   if (pack.sides.size() != ldm_directions(o.sides).size()) fail("it has not as many sides as its kind");
-  if (pack.colour.size() != pack.surface.size() || pack.colour.size() % (4 * kLdmPage * kLdmPage) != 0)
+  if (pack.colour.size() != pack.surface.size() || pack.colour.size() % (4 * ldm_texels_to(1 + kLdmShrinks)) != 0)
     fail("its pages are not whole");
   for (std::size_t i = 0; i < pack.blocks.size(); ++i) check_block(pack, i);
   for (std::size_t i = 0; i < pack.mosaics.size(); ++i) check_mosaic(pack, i);

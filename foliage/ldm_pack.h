@@ -18,6 +18,13 @@ namespace manzana::foliage {
 /// from 7.0 to 8.4 MB, and to 7.3 MB with 256.
 inline constexpr int kLdmPixels = 256, kLdmBlock = 32, kLdmPage = 256, kLdmShrinks = 5;  // 32 = 1 << 5
 
+/// Of a page's levels before that one.
+constexpr std::size_t ldm_texels_to(int level) {
+  std::size_t sum = 0;
+  for (int before = 0; before < level; ++before) sum += std::size_t{kLdmPage} * kLdmPage >> 2 * before;
+  return sum;
+}
+
 /// Which sides a plant is seen from.
 enum class LdmSides : std::uint8_t {
   paper,      ///< 15 directions over the upper half of the sphere; mosaics lie as they were seen
@@ -108,9 +115,11 @@ struct LdmPack {
   std::vector<LdmSide> sides;
   std::vector<LdmBlock> blocks;
   std::vector<LdmMosaic> mosaics;
-  std::vector<std::uint8_t> colour, surface;  ///< pages, each 256 x 256 x 4: LdmTexel's halves
+  std::vector<std::uint8_t> colour, surface;  ///< LdmTexel's halves, 4 bytes a texel: pages of 256 x 256, then the same
+                                              ///< of 128 x 128, ... 8 x 8, each texel the mean of four
 
-  std::size_t pages() const { return colour.size() / (4 * kLdmPage * kLdmPage); }
+  std::size_t pages() const { return colour.size() / (4 * ldm_texels_to(1 + kLdmShrinks)); }
+  std::size_t level_begin(int level) const { return 4 * pages() * ldm_texels_to(level); }  ///< of colour and surface
   std::size_t mosaic_bytes() const { return mosaics.size() * sizeof(LdmMosaic) + blocks.size() * sizeof(LdmBlock); }
   double distance_of(int level) const { return static_cast<double>(radius) * options.nearest_radii * (1 << level); }
 };

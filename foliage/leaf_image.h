@@ -1,5 +1,6 @@
 #pragma once
 /// The pictures that a generated plant wears, drawn by code: a twig with many leaves, and bark.
+#include <array>
 #include <optional>
 #include <string>
 
@@ -28,6 +29,8 @@ Image bark_image(std::uint32_t rgb, std::uint64_t seed);
 void dilate_colour(Image& image);
 
 float linear_of_srgb(std::uint8_t value);  ///< [0, 1]
+using LinearBytes = std::array<float, 256>;
+const LinearBytes& linear_of_srgb();       ///< of each byte, for many at once
 std::uint8_t srgb_of_linear(float value);  ///< clamped
 Vec3 linear_of_rgb(std::uint32_t rgb);     ///< of 0xrrggbb
 

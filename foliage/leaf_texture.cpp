@@ -23,12 +23,12 @@ Image make_image(int size) {
 }
 
 /// Colours count by their alpha: what cannot be seen near does not tint what is seen far.
-void average(const Image& image, int x, int y, std::uint8_t* texel) {
+void average(const Image& image, int x, int y, const LinearBytes& linear, std::uint8_t* texel) {
   Vec3 weighted(0), plain(0);
   float alpha = 0;
   for (int k = 0; k < 4; ++k) {
     const std::uint8_t* from = &image.rgba[at(image, 2 * x + k % 2, 2 * y + k / 2)];
-    const Vec3 light(linear_of_srgb(from[0]), linear_of_srgb(from[1]), linear_of_srgb(from[2]));
+    const Vec3 light(linear[from[0]], linear[from[1]], linear[from[2]]);
     alpha += from[3];
     weighted += light * static_cast<float>(from[3]);
     plain += light / 4.0F;
@@ -39,9 +39,10 @@ void average(const Image& image, int x, int y, std::uint8_t* texel) {
 }
 
 Image halved(const Image& image) {
+  const LinearBytes& linear = linear_of_srgb();
   Image half = make_image(image.size / 2);
   for (int y = 0; y < half.size; ++y) {
-    for (int x = 0; x < half.size; ++x) average(image, x, y, &half.rgba[at(half, x, y)]);
+    for (int x = 0; x < half.size; ++x) average(image, x, y, linear, &half.rgba[at(half, x, y)]);
   }
   return half;
 }

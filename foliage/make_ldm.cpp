@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "foliage/ldm_cover.h"
 #include "foliage/ldm_mosaics.h"
@@ -166,9 +167,36 @@ class Maker {
     std::uint32_t pages = 0;
     for (const PagePlace& place : places) pages = std::max(pages, place.page + 1);
     if (pages > 256) throw std::invalid_argument("a pack has too many pages");
-    pack_.colour.assign(std::size_t{4} * pages * kLdmPage * kLdmPage, 0);
+    pack_.colour.assign(4 * pages * ldm_texels_to(1 + kLdmShrinks), 0);
     pack_.surface.assign(pack_.colour.size(), 0);
     for (std::size_t i = 0; i < squares_.size(); ++i) fill(squares_[i], places[i], pack_.blocks[i]);
+    for (int level = 1; level <= kLdmShrinks; ++level)
+      for (std::size_t page = 0; page < pages; ++page) put(halved(page_of(level - 1, page)), level, page);
+  }
+
+  std::size_t page_begin(int level, std::size_t page) const {
+    return pack_.level_begin(level) + 4 * page * (std::size_t{kLdmPage} * kLdmPage >> 2 * level);
+  }
+
+  LdmSquare page_of(int level, std::size_t page) const {
+    LdmSquare square{kLdmPage >> level, {}};
+    const std::size_t begin = page_begin(level, page), end = page_begin(level, page + 1);
+    for (std::size_t i = begin; i < end; i += 4) {
+      const std::uint8_t *c = &pack_.colour[i], *s = &pack_.surface[i];
+      square.texels.push_back({{c[0], c[1], c[2], c[3]}, s[0], s[1], s[2], s[3]});
+    }
+    return square;
+  }
+
+  void put(const LdmSquare& square, int level, std::size_t page) {
+    std::size_t at = page_begin(level, page);
+    for (const LdmTexel& texel : square.texels) put(texel, std::exchange(at, at + 4));
+  }
+
+  void put(const LdmTexel& texel, std::size_t at) {
+    std::copy_n(texel.colour.begin(), 4, &pack_.colour[at]);
+    const std::array surface{texel.normal_x, texel.normal_y, texel.depth, texel.shade};
+    std::copy_n(surface.begin(), 4, &pack_.surface[at]);
   }
 
   void fill(const LdmSquare& square, const PagePlace& place, LdmBlock& block) {
@@ -176,12 +204,8 @@ class Maker {
     block.page = static_cast<std::uint8_t>(place.page);
     for (int y = 0; y < square.side; ++y)
       for (int x = 0; x < square.side; ++x) {
-        const LdmTexel& texel = square.at(x, y);
         const std::size_t row = std::size_t{place.page} * kLdmPage + place.y + static_cast<std::size_t>(y);
-        const std::size_t at = 4 * (row * kLdmPage + place.x + static_cast<std::size_t>(x));
-        std::copy_n(texel.colour.begin(), 4, &pack_.colour[at]);
-        const std::array surface{texel.normal_x, texel.normal_y, texel.depth, texel.shade};
-        std::copy_n(surface.begin(), 4, &pack_.surface[at]);
+        put(square.at(x, y), 4 * (row * kLdmPage + place.x + static_cast<std::size_t>(x)));
       }
   }
 

@@ -2,6 +2,7 @@
 
 #include "foliage/branch_levels.h"
 #include "foliage/cell_visibility.h"
+#include "foliage/grove_fit.h"
 #include "foliage/leaf_cloud.h"
 
 namespace manzana::foliage {
@@ -24,6 +25,7 @@ PreparedPlant prepare(const Plant& plant, const PrepareOptions& options) {
   PrepareOptions for_leaves = options;
   for_leaves.progress = part_of(options.progress, kBranches, leaves);
   prepare_leaves(plant, for_leaves, ready);
+  ready.grove = fit_grove(ready);
   if (seen && !ready.cells.empty())
     bake_visibility(ready, {.side = options.visibility_side, .progress = part_of(options.progress, leaves, 1)});
   tell(options.progress, 1);

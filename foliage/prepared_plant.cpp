@@ -1,5 +1,6 @@
 #include "foliage/prepared_plant.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <stdexcept>
@@ -126,6 +127,16 @@ void check_points(const PreparedPlant& plant) {
     fail("point level 0 has not four points a quad");
 }
 
+void check_grove(const PreparedPlant& plant) {
+  const GroveFit& fit = plant.grove;
+  check_run("grove fit", 0, fit.points, plant.points.size());
+  const auto wrong = [](float v) { return !(v >= 0 && sane(v)); };
+  bool all = std::ranges::none_of(fit.cover_m2, wrong);
+  for (std::size_t view = 0; view < kGroveViews; ++view)
+    all = all && std::ranges::none_of(fit.area[view], wrong) && std::ranges::none_of(fit.light[view], wrong);
+  if (!all) fail("its grove's fit is not finite or out of range");
+}
+
 }  // namespace
 
 void check(const PreparedPlant& plant) {
@@ -139,6 +150,7 @@ void check(const PreparedPlant& plant) {
   check_shuffled(plant);
   check_cells(plant);
   check_points(plant);
+  check_grove(plant);
   if (!(plant.leaf_area_m2 >= 0) || std::isinf(plant.leaf_area_m2)) fail("its leaf area is not finite");
   for (const float scale : plant.leaf_scale)
     if (!size(scale)) fail("its leaf scales are not finite or out of range");

@@ -101,6 +101,19 @@ struct Visibility {
   std::vector<std::uint8_t> share;  ///< cell c, direction d: share[c * side * side + d] / 255
 };
 
+/// The sine of the eye's elevation is 0, 1/2, 1.
+inline constexpr std::size_t kGroveViews = 3;
+inline constexpr std::size_t kGroveFits = 8;  ///< 1, 2, 4, ... 128 points
+
+/// What a tree's first few points cover, and how they look, where it is one of a grove's: foliage/grove_fit.h
+struct GroveFit {
+  Run points;                                 ///< of PreparedPlant::points: the level that they are of
+  std::array<float, kGroveViews> cover_m2{};  ///< that the plant hides
+  using Table = std::array<std::array<float, kGroveFits>, kGroveViews>;
+  Table area{};   ///< m2
+  Table light{};  ///< by what points must be lighter: few of them do not hide those within the crown, which are darker
+};
+
 struct PreparedPlant {
   std::string name;
   float height_m = 10, crown_radius_m = 3;  ///< by nature
@@ -130,6 +143,7 @@ struct PreparedPlant {
   float leaf_area_m2 = 0;                ///< of all leaf quads, one side, times alpha
   std::array<float, 17> leaf_scale{};    ///< linear size at u = 2^(-i/2) of the leaves, fitted to coverage
   Visibility visibility;
+  GroveFit grove;
 };
 
 /// Throws std::invalid_argument, naming the row, for a run that leaves its list, a list that breaks the rules above, or

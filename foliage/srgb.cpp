@@ -34,7 +34,8 @@ float least_of(int byte) {
 
 struct Tables {
   static constexpr float kSteps = 4096;  // so many that a step has about one byte
-  std::array<float, 256> linear{}, least{};
+  LinearBytes linear{};
+  std::array<float, 256> least{};
   std::array<std::uint8_t, 4097> from{};
   Tables() {
     for (int i = 0; i < 256; ++i) {
@@ -53,6 +54,7 @@ const Tables& tables() {
 
 }  // namespace
 
+const LinearBytes& linear_of_srgb() { return tables().linear; }
 float linear_of_srgb(std::uint8_t value) { return tables().linear[value]; }
 
 std::uint8_t srgb_of_linear(float value) {

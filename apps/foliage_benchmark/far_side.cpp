@@ -5,11 +5,11 @@
 
 namespace manzana::foliage_benchmark {
 
-FarSide::FarSide(std::span<const foliage::PreparedPlant> plants, std::span<const foliage::TreeSite> all)
-    : sites(all),
+FarSide::FarSide(std::span<const foliage::PreparedPlant> all_plants, std::span<const foliage::TreeSite> all)
+    : plants(all_plants),
+      sites(all),
       trees(plants.size(), shaders_with_mask()),
-      groves(plants, all, all.empty() ? 0 : all.back().block + 1, shaders_with_mask()),
-      maker(plants) {
+      groves(plants, all, all.empty() ? 0 : all.back().block + 1, shaders_with_mask()) {
   for (std::uint32_t i = 0; i < plants.size(); ++i) add_pack(trees, i, make_far_pack(plants[i]));
 }
 
@@ -17,7 +17,8 @@ bool make_wanted(FarSide& far) {
   bool made = false;
   for (const draw::GroveWanted& wanted : std::vector(far.groves.wanted)) {
     const foliage::Run& run = far.groves.blocks[wanted.block].sites;
-    const foliage::Grove grove = far.maker.make(far.sites.subspan(run.first, run.size()), wanted.level);
+    const foliage::Grove grove =
+        foliage::make_grove(far.plants, far.sites.subspan(run.first, run.size()), wanted.level);
     made = add_grove(far.groves, wanted, grove) || made;
   }
   return made;

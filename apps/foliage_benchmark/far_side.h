@@ -11,12 +11,12 @@ namespace manzana::foliage_benchmark {
 
 struct FarSide {
   /// With packs of all plants; groves follow. Plants and sites, block after block, must outlive it.
-  FarSide(std::span<const foliage::PreparedPlant> plants, std::span<const foliage::TreeSite> sites);
+  FarSide(std::span<const foliage::PreparedPlant> all_plants, std::span<const foliage::TreeSite> all);
 
+  std::span<const foliage::PreparedPlant> plants;
   std::span<const foliage::TreeSite> sites;
   draw::FarTrees trees;
   draw::Groves groves;
-  foliage::GroveMaker maker;
   std::uint64_t mosaics = 0, points = 0;  ///< drawn last
 };
 

@@ -97,13 +97,15 @@ double Obstacles::buried_length(const Vec3d& from, const Vec3d& to) const {
 }
 
 double Obstacles::highest_roof(const Vec2d& a, const Vec2d& b, double radius) const {
-  const LayerTable& t = scene_.buildings.table;
+  const double step = std::max(radius, kBuildingCell), length = glm::distance(a, b);
   double highest = 0;
-  for (std::uint32_t i = 0; i < t.size(); ++i) {
-    const culling::Box box = t.boxes[i];
+  const auto see = [&](std::uint32_t i) {
+    const culling::Box box = scene_.buildings.table.boxes[i];
     const Vec3d top = scene_.tree.origin + Vec3d(Vec2d(box.min + box.max) / 2.0, box.max.z);
     if (distance_to_segment(Vec2d(top), a, b) < radius) highest = std::max(highest, to_ground(scene_.frame, top).z);
-  }
+  };
+  for (double s = 0; s < length + step; s += step)
+    buildings_.visit(length > 0 ? glm::mix(a, b, std::min(s / length, 1.0)) : a, radius + step / 2, see);
   return highest;
 }
 

@@ -1,5 +1,6 @@
 #include "foliage/gl/plant_store.h"
 
+#include <array>
 #include <cassert>
 
 #include "foliage/leaf_texture.h"
@@ -10,6 +11,7 @@ namespace {
 
 constexpr int kImageSize = 256;
 constexpr int kImageLevels = 9;
+constexpr std::array<std::uint8_t, 4> kWhite{255, 255, 255, 255};
 
 template <class T>
 gl::Buffer upload(const std::vector<T>& content) {
@@ -32,8 +34,13 @@ gl::Buffer upload_all(std::span<const PreparedPlant> plants,
   return upload(all);
 }
 
+/// White where there is none.
 void upload_image(GLuint texture, GLint layer, const Image& image) {
   GLint level = 0;
+  for (; image.size == 0 && level < kImageLevels; ++level)
+    glClearTexSubImage(texture, level, 0, 0, layer, kImageSize >> level, kImageSize >> level, 1, GL_RGBA,
+                       GL_UNSIGNED_BYTE, kWhite.data());
+  if (image.size == 0) return;
   for (const Image& mip : coverage_mipmaps(resized(image, kImageSize))) {
     glTextureSubImage3D(texture, level++, 0, 0, layer, mip.size, mip.size, 1, GL_RGBA, GL_UNSIGNED_BYTE,
                         mip.rgba.data());

@@ -27,7 +27,9 @@ std::string hexadecimal(std::uint64_t value) {
 
 void cache_file_error(const std::string& what) { throw std::runtime_error(what); }
 
-std::uint64_t checksum_of(std::string_view bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
+std::uint64_t checksum_of(std::string_view bytes, std::uint64_t seed) {
+  return XXH3_64bits_withSeed(bytes.data(), bytes.size(), seed);
+}
 
 std::string with_header(const CacheKind& kind, std::string_view lists) {
   Header header = header_of(kind);

@@ -32,7 +32,7 @@ std::span<const unsigned char> lists_of(const CacheKind& kind, std::span<const u
 /// Where something of that description is kept, named after the stem and the description's hash.
 std::filesystem::path cache_path(const std::filesystem::path& folder, const std::string& stem,
                                  std::string_view description, const char* extension);
-std::uint64_t checksum_of(std::string_view bytes);
+std::uint64_t checksum_of(std::string_view bytes, std::uint64_t seed = 0);
 
 [[noreturn]] void cache_file_error(const std::string& what);  ///< throws std::runtime_error
 
@@ -59,6 +59,27 @@ class CacheWriter {
     (*this)(static_cast<std::uint64_t>(count));
     if (count > 0) bytes.append(reinterpret_cast<const char*>(first), count * sizeof(T));
   }
+};
+
+/// What tells one thing's lists from another's, without writing them.
+class CacheSum {
+ public:
+  template <class T>
+  void operator()(const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    add(&value, sizeof value);
+  }
+  template <class T>
+  void operator()(const std::vector<T>& list) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    add(list.data(), list.size() * sizeof(T));
+  }
+  void operator()(const std::string& text) { add(text.data(), text.size()); }
+
+  std::uint64_t sum = 0;
+
+ private:
+  void add(const void* first, std::size_t bytes) { sum = checksum_of({static_cast<const char*>(first), bytes}, sum); }
 };
 
 class CacheReader {

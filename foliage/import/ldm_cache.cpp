@@ -3,6 +3,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "files/mapped_file.h"
 #include "files/whole_file.h"
 #include "foliage/far_pack.h"
 #include "foliage/import/cache_file.h"
@@ -14,8 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr CacheKind kKind{{'M', 'A', 'N', 'Z', 'L', 'D', 'M', '\x1a'}, kPackFormat, "pack"};
-constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 28;
-
 /// One list for writing and for reading. Does not compile for a pack that has one member more.
 template <class Pack, class Visit>
 void each_field(Pack& pack, Visit&& visit) {
@@ -30,7 +29,7 @@ std::string description_of(const PreparedPlant& plant, const LdmOptions& options
   LdmPack none;
   none.options = options;
   std::ostringstream text;
-  text << "plant " << checksum_of(encoded(plant)) << " pack " << checksum_of(encoded(none));
+  text << "plant " << checksum_of(plant) << " pack " << checksum_of(encoded(none));
   return text.str();
 }
 
@@ -59,7 +58,8 @@ void write_pack(const fs::path& file, const LdmPack& pack) { files::write_whole(
 
 LdmPack read_pack(const fs::path& file) {
   try {
-    return decoded_pack(files::read_whole(file, kMaxBytes));
+    const files::MappedFile mapped(file);
+    return decoded_pack({reinterpret_cast<const unsigned char*>(mapped.bytes().data()), mapped.bytes().size()});
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(file.string() + ": " + error.what());
   }

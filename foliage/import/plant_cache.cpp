@@ -3,6 +3,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "files/mapped_file.h"
 #include "files/whole_file.h"
 #include "foliage/import/cache_file.h"
 
@@ -10,8 +11,6 @@ namespace manzana::foliage {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 30;
 
 [[noreturn]] void fail(const std::string& what) { throw std::runtime_error(what); }
 
@@ -23,12 +22,12 @@ template <class Plant, class Visit>
 void each_field(Plant& plant, Visit&& visit) {
   auto& [name, height_m, crown_radius_m, leaf_image, bark_image, bark, branch_levels, branch_steps, lines, coarse_lines,
          line_levels, line_firsts, leaves, cells, shuffled, large_quads, points, large_points, point_levels, cover_m2,
-         leaf_area_m2, leaf_scale, visibility] = plant;
+         leaf_area_m2, leaf_scale, visibility, grove] = plant;
   const auto all = [&](auto&... fields) { (visit(fields), ...); };
   all(name, height_m, crown_radius_m, leaf_image.size, leaf_image.rgba, bark_image.size, bark_image.rgba);
   all(bark, branch_levels, branch_steps, lines, coarse_lines, line_levels, line_firsts);
   all(leaves, cells, shuffled, large_quads, points, large_points, point_levels, cover_m2, leaf_area_m2, leaf_scale);
-  all(visibility.side, visibility.share);
+  all(visibility.side, visibility.share, grove);
 }
 
 }  // namespace
@@ -39,6 +38,12 @@ std::string encoded(const PreparedPlant& plant) {
   CacheWriter writer;
   each_field(plant, writer);
   return with_header(writer.bytes);
+}
+
+std::uint64_t checksum_of(const PreparedPlant& plant) {
+  CacheSum sum;
+  each_field(plant, sum);
+  return sum.sum;
 }
 
 PreparedPlant decoded(std::span<const unsigned char> bytes) {
@@ -58,7 +63,8 @@ void write_prepared(const fs::path& file, const PreparedPlant& plant) { files::w
 
 PreparedPlant read_prepared(const fs::path& file) {
   try {
-    return decoded(files::read_whole(file, kMaxBytes));
+    const files::MappedFile mapped(file);
+    return decoded({reinterpret_cast<const unsigned char*>(mapped.bytes().data()), mapped.bytes().size()});
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(file.string() + ": " + error.what());
   }

@@ -16,9 +16,10 @@
 namespace manzana::foliage {
 
 /// Of files, of what a species' seed grows to, and of what prepare() makes of a plant: raised whenever one changes.
-inline constexpr std::uint32_t kPlantFormat = 10;
+inline constexpr std::uint32_t kPlantFormat = 11;
 
 std::string encoded(const PreparedPlant& plant);
+std::uint64_t checksum_of(const PreparedPlant& plant);  ///< of all that encoded() has
 
 /// Throws std::runtime_error for anything but what encoded() wrote.
 PreparedPlant decoded(std::span<const unsigned char> bytes);

@@ -224,20 +224,39 @@ Soup outline(std::span<const Station> line) {
 // Smooth over edges that are blunter than this.
 constexpr float kCrease = 0.80F;
 
+struct Face {
+  Vec3 normal;  // as long as twice the area
+  Vec3 unit;
+};
+
+std::vector<Face> faces_of(const Soup& soup) {
+  std::vector<Face> faces;
+  for (const Triangle& t : soup) {
+    const Vec3 normal = glm::cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]);
+    faces.push_back({normal, glm::normalize(normal)});
+  }
+  return faces;
+}
+
+bool same_place(const Vec3& a, const Vec3& b) {
+  constexpr float kApart = 1e-4F;
+  return glm::dot(a - b, a - b) < kApart * kApart;
+}
+
 CarMesh weld(const Soup& soup) {
   CarMesh mesh;
-  const auto face = [](const Triangle& t) { return glm::cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]); };
-  for (const Triangle& t : soup) {
-    const Vec3 own = glm::normalize(face(t));
-    for (const Vec3& corner : t.corner) {
-      Vec3 sum(0);
-      for (const Triangle& other : soup) {
-        const Vec3 n = face(other);
-        if (glm::dot(glm::normalize(n), own) < kCrease) continue;
-        for (const Vec3& q : other.corner) sum += glm::distance(q, corner) < 1e-4F ? n : Vec3(0);
-      }
+  const std::vector<Face> faces = faces_of(soup);
+  for (std::size_t i = 0; i < soup.size(); ++i) {
+    std::array<Vec3, 3> sums{};
+    for (std::size_t other = 0; other < soup.size(); ++other) {
+      if (glm::dot(faces[other].unit, faces[i].unit) < kCrease) continue;
+      for (std::size_t k = 0; k < 3; ++k)
+        for (const Vec3& q : soup[other].corner)
+          if (same_place(q, soup[i].corner[k])) sums[k] += faces[other].normal;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
       mesh.indices.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
-      mesh.vertices.push_back({corner, pack_normal(glm::normalize(sum)), t.part});
+      mesh.vertices.push_back({soup[i].corner[k], pack_normal(glm::normalize(sums[k])), soup[i].part});
     }
   }
   return mesh;

@@ -9,11 +9,9 @@ auto pack_task(const FarTreeSource& source, const FarTreeHow& how) {
   return [source, make = how.make_pack](std::uint32_t plant) { return make(source.plants[plant]); };
 }
 
-/// Fits of species are kept from grove to grove: one is made at a time.
 auto grove_task(const FarTreeSource& source) {
-  const auto maker = std::make_shared<foliage::GroveMaker>(source.plants);
-  return [source, maker](const GroveWanted& wanted) {
-    return std::optional(maker->make(sites_of(*source.sites, wanted.block), wanted.level));
+  return [source](const GroveWanted& wanted) {
+    return std::optional(foliage::make_grove(source.plants, sites_of(*source.sites, wanted.block), wanted.level));
   };
 }
 

@@ -59,11 +59,10 @@ bool add_pack(FarTrees& far, std::uint32_t plant, foliage::LdmPack pack) {
 }
 
 std::size_t bytes_of_packs(const FarTrees& far) {
-  double bytes = 0;
+  std::size_t bytes = 0;
   for (const foliage::LdmPack& pack : far.packs)
-    bytes += foliage::ldm_bytes(static_cast<double>(pack.colour.size() + pack.surface.size()) / 4) +
-             static_cast<double>(pack.mosaic_bytes());
-  return static_cast<std::size_t>(bytes);
+    bytes += pack.colour.size() + pack.surface.size() + pack.mosaic_bytes();
+  return bytes;
 }
 
 namespace {

@@ -12,8 +12,12 @@ namespace manzana::draw {
 namespace {
 
 std::vector<foliage::PreparedPlant> without_pictures(std::span<const foliage::PreparedPlant> plants) {
-  std::vector<foliage::PreparedPlant> all(plants.begin(), plants.end());
-  for (foliage::PreparedPlant& plant : all) plant.leaf_image = plant.bark_image = {};
+  std::vector<foliage::PreparedPlant> all;
+  all.reserve(plants.size());
+  for (const foliage::PreparedPlant& plant : plants) {
+    all.push_back(plant);
+    all.back().leaf_image = all.back().bark_image = {};
+  }
   return all;
 }
 

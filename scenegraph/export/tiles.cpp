@@ -3,7 +3,6 @@
 #include "scenegraph/export/tiles.h"
 
 #include <tbb/parallel_for.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include <stdexcept>
 
 #include "files/whole_file.h"
+#include "files/whole_folder.h"
 #include "scenegraph/earth_centred.h"
 #include "scenegraph/export/glb.h"
 
@@ -23,38 +23,6 @@ using culling::BoxD;
 using culling::SphereD;
 using Json = nlohmann::json;
 using Path = std::filesystem::path;
-
-/// A folder that has its name only when all is in it.
-class WholeFolder {
- public:
-  explicit WholeFolder(Path folder) : folder_(std::move(folder)) {
-    if (!folder_.has_filename()) folder_ = folder_.parent_path();
-    std::error_code error;
-    if (std::filesystem::exists(folder_, error) && !std::filesystem::is_empty(folder_, error))
-      throw std::runtime_error(folder_.string() + ": is there already, and not empty");
-    part_ = folder_;
-    part_ += ".part" + std::to_string(getpid());
-    std::filesystem::remove_all(part_, error);  // of one of that number who was killed
-    files::make_folder(part_);
-  }
-  ~WholeFolder() {
-    std::error_code ignored;
-    if (!part_.empty()) std::filesystem::remove_all(part_, ignored);
-  }
-  WholeFolder(const WholeFolder&) = delete;
-  WholeFolder& operator=(const WholeFolder&) = delete;
-
-  const Path& part() const { return part_; }
-  void finish() {
-    std::error_code error;
-    std::filesystem::rename(part_, folder_, error);
-    if (error) throw std::runtime_error(folder_.string() + ": cannot be written: " + error.message());
-    part_.clear();
-  }
-
- private:
-  Path folder_, part_;
-};
 
 std::array<Vec3d, 8> corners_of(const BoxD& box) {
   std::array<Vec3d, 8> corners;
@@ -132,7 +100,7 @@ class Writer {
     tiles_ = tile_tree(scene_);
     if (tiles_.empty()) throw std::runtime_error(folder.string() + ": there is nothing to write");
     bounds_.resize(tiles_.size());
-    WholeFolder whole(folder);
+    files::WholeFolder whole(folder);
     files::make_folder(whole.part() / "tiles");
     for (const TreeInstance& tree : scene_.trees.instances) stand_.insert(tree.plant);
     leaf_models_ = models_at(kLeafError);

@@ -1,18 +1,14 @@
 #include "scenegraph/import/baked_city.h"
 
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <xxhash.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <stdexcept>
 
+#include "files/mapped_file.h"
 #include "files/whole_file.h"
 #include "scenegraph/import/baked_check.h"
 
@@ -240,40 +236,6 @@ Imported imported_from(std::span<const std::byte> bytes, std::shared_ptr<const v
   return city;
 }
 
-/// A file in memory; unmapped at the end. It is mapped as it is, whatever takes its name later.
-class Mapped {
- public:
-  explicit Mapped(const std::filesystem::path& file) {
-    const int handle = open(file.c_str(), O_RDONLY | O_CLOEXEC);
-    if (handle < 0) fail();
-    struct stat status {};
-    const bool regular = fstat(handle, &status) == 0 && S_ISREG(status.st_mode);
-    size_ = regular ? static_cast<std::size_t>(status.st_size) : 0;
-    if (size_ > 0) at_ = mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, handle, 0);
-    const int error = errno;
-    close(handle);
-    if (!regular) throw std::runtime_error("is no file");
-    if (at_ == MAP_FAILED) errno = error, fail();
-  }
-  ~Mapped() {
-    if (size_ > 0) munmap(at_, size_);
-  }
-  Mapped(const Mapped&) = delete;
-  Mapped& operator=(const Mapped&) = delete;
-  std::span<const std::byte> bytes() const { return {static_cast<const std::byte*>(at_), size_}; }
-  /// What was read of it need not stay in memory.
-  void let_go() const {
-    if (size_ > 0) madvise(at_, size_, MADV_DONTNEED);
-  }
-
- private:
-  [[noreturn]] static void fail() {
-    throw std::runtime_error(errno == ENOENT ? "no such file" : std::string("cannot be read: ") + std::strerror(errno));
-  }
-  void* at_ = nullptr;
-  std::size_t size_ = 0;
-};
-
 }  // namespace
 
 bool is_baked(const std::filesystem::path& file) { return file.extension() == ".manzana"; }
@@ -301,7 +263,7 @@ Imported read_baked_bytes(std::span<const std::byte> bytes, const std::string& n
 
 Imported read_baked(const std::filesystem::path& file) {
   try {
-    const auto mapped = std::make_shared<const Mapped>(file);
+    const auto mapped = std::make_shared<const files::MappedFile>(file);
     Imported city = imported_from(mapped->bytes(), mapped);
     mapped->let_go();
     return city;

@@ -1,5 +1,10 @@
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include "apps/common/progress_bar.h"
 #include "files/whole_file.h"
+#include "files/whole_folder.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace manzana::apps;
@@ -69,4 +74,54 @@ TEST_CASE("progress: the time left stands behind the bar in seconds or minutes")
   CHECK(time_left(1770) == "about 30 min left");
   CHECK(shown(true, {{"reading", 0.5}}, "soon").find("50 %, soon") != std::string::npos);
   CHECK(shown(false, {{"reading", 0.5}}, "soon") == "reading: 50 %, soon\n");
+}
+
+TEST_CASE("files: a folder that is filled is there when it is finished and not before") {
+  const TemporaryFolder folder;
+  const auto tiles = folder.path() / "tiles";
+  {
+    const WholeFolder whole(tiles);
+    write_whole(whole.part() / "a", "1");
+    CHECK_FALSE(std::filesystem::exists(tiles));
+  }
+  CHECK(files_in(folder.path()) == 0);
+  WholeFolder whole(tiles / "");
+  write_whole(whole.part() / "a", "1");
+  whole.finish();
+  CHECK(files_in(folder.path()) == 1);
+  CHECK(std::filesystem::exists(tiles / "a"));
+  CHECK_THROWS_WITH(WholeFolder(tiles), Catch::EndsWith("tiles: is there already, and not empty"));
+}
+
+TEST_CASE("files: of what others left beside a folder goes what nobody fills any more") {
+  const TemporaryFolder folder;
+  const auto beside = [&](const std::string& end) { return folder.path() / ("tiles" + end); };
+  const std::string own = ".part" + std::to_string(getpid());
+  for (const std::string& end :
+       {own, std::string(".part1"), std::string(".part1x"), std::string(".part"), std::string(".old")}) {
+    std::filesystem::create_directories(beside(end) / "deep");
+    write_whole(beside(end) / "deep" / "old", "old");
+  }
+  const WholeFolder other(folder.path() / "tiles.part22");  // a folder of such a name, being filled
+  std::filesystem::create_directory(beside(".part2"));
+  const int filled = open(beside(".part2").c_str(), O_RDONLY | O_DIRECTORY);
+  REQUIRE(flock(filled, LOCK_EX | LOCK_NB) == 0);
+  write_whole(beside(".part3"), "a file");
+  std::filesystem::create_directory_symlink(folder.path(), beside(".part4"));
+  WholeFolder whole(beside(""));
+  CHECK(files_in(whole.part()) == 0);
+  whole.finish();
+  CHECK_FALSE(std::filesystem::exists(beside(".part1")));
+  for (const char* end : {"", ".part", ".part1x", ".part2", ".part3", ".part4", ".old"})
+    CHECK(std::filesystem::exists(beside(end)));
+  CHECK(std::filesystem::exists(other.part()));
+  close(filled);
+}
+
+TEST_CASE("files: two that fill one folder do not disturb each other") {
+  const TemporaryFolder folder;
+  const WholeFolder one(folder.path() / "tiles");
+  write_whole(one.part() / "a", "1");
+  CHECK_THROWS_WITH(WholeFolder(folder.path() / "tiles"), Catch::Contains("another program writes there"));
+  CHECK(std::filesystem::exists(one.part() / "a"));
 }

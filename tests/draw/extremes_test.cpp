@@ -130,9 +130,9 @@ class Trees {
     seen.ours = draw(view, {});
     const TreeDetail far{.mosaics = true, .groves = true};
     draw(view, far);
-    foliage::GroveMaker maker(plants_);
     for (const GroveWanted& wanted : std::vector(layer_.groves.wanted))
-      add_grove(layer_.groves, wanted, maker.make(sites_of(*layer_.sites, wanted.block), wanted.level));
+      add_grove(layer_.groves, wanted,
+                foliage::make_grove(plants_, sites_of(*layer_.sites, wanted.block), wanted.level));
     seen.far = draw(view, far);
     return seen;
   }

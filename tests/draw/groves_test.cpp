@@ -90,9 +90,8 @@ Seen look(Renderer& renderer, const Scene& scene, const culling::View& view, con
 
 void add_groves(Renderer& renderer, std::span<const foliage::PreparedPlant> plants) {
   const std::vector<GroveWanted> wanted(renderer.groves_wanted().begin(), renderer.groves_wanted().end());
-  foliage::GroveMaker maker(plants);
   for (const GroveWanted& one : wanted)
-    renderer.add_grove(one, maker.make(sites_of(*renderer.sites(), one.block), one.level));
+    renderer.add_grove(one, foliage::make_grove(plants, sites_of(*renderer.sites(), one.block), one.level));
 }
 
 Quality sampled(int samples) {

@@ -62,7 +62,7 @@ double covered(const Grove& grove, const GroveShown& shown, double up) {
 
 TEST_CASE("grove: every first few of its points have of each tree its share to a point") {
   const std::vector<TreeSite> sites = make_sites(20, 2);
-  const Grove grove = GroveMaker(plants()).make(sites);
+  const Grove grove = make_grove(plants(), sites);
   std::map<std::uint32_t, int> all, now;
   for (const LeafPoint& point : grove.points) ++all[point.tree];
   REQUIRE(all.size() == sites.size());
@@ -78,7 +78,7 @@ TEST_CASE("grove: every first few of its points have of each tree its share to a
 
 TEST_CASE("grove: fewer of its points have the mean place and colour of all") {
   const std::vector<TreeSite> sites = make_sites(200, 1);
-  const Grove grove = GroveMaker(plants()).make(sites);
+  const Grove grove = make_grove(plants(), sites);
   const auto mean = [&](std::size_t n) {
     Vec4d sum(0);
     double area = 0;
@@ -99,7 +99,7 @@ TEST_CASE("grove: fewer of its points have the mean place and colour of all") {
 
 TEST_CASE("grove: however few of its points are shown they cover what its trees do from everywhere") {
   const std::vector<TreeSite> sites = make_sites(60, 1);
-  const Grove grove = GroveMaker(plants()).make(sites);
+  const Grove grove = make_grove(plants(), sites);
   for (const double up : {0.0, 0.5, 1.0}) {
     const double rise = up < 1 ? up / std::sqrt(1 - up * up) : 1e3;
     double trees = 0;
@@ -113,10 +113,10 @@ TEST_CASE("grove: however few of its points are shown they cover what its trees 
   }
 }
 
-TEST_CASE("grove: a level is the first part of all and two makers make the same") {
+TEST_CASE("grove: a level is the first part of all and is the same each time") {
   const std::vector<TreeSite> sites = make_sites(12, 2);
-  const Grove all = GroveMaker(plants()).make(sites), again = GroveMaker(plants()).make(sites),
-              part = GroveMaker(plants()).make(sites, 2);
+  const Grove all = make_grove(plants(), sites), again = make_grove(plants(), sites),
+              part = make_grove(plants(), sites, 2);
   const auto same = [](const Grove& a, const Grove& b, std::size_t n) {
     return std::memcmp(a.points.data(), b.points.data(), n * sizeof(LeafPoint)) == 0;
   };
@@ -128,7 +128,7 @@ TEST_CASE("grove: a level is the first part of all and two makers make the same"
 }
 
 TEST_CASE("grove: from a level are as many points as any view asks for that takes it") {
-  const GroveRule rule = GroveMaker(plants()).make(make_sites(12, 2)).rule;
+  const GroveRule rule = make_grove(plants(), make_sites(12, 2)).rule;
   for (double error_m = 0.1; error_m < 1e4; error_m *= 1.3) {
     const GroveSight sight{error_m, 0.3, 1, {}};
     const std::uint32_t there = points_at(rule.points, level_of(rule, sight));
@@ -140,10 +140,10 @@ TEST_CASE("grove: from a level are as many points as any view asks for that take
 
 TEST_CASE("grove: plants without leaves and blocks without trees are no points") {
   const std::vector<PreparedPlant> bare(1);
-  CHECK(GroveMaker(bare).make({}).points.empty());
+  CHECK(make_grove(bare, {}).points.empty());
   TreeSite site{};
   site.radius = site.height = 1;
-  const Grove grove = GroveMaker(bare).make({&site, 1});
+  const Grove grove = make_grove(bare, {&site, 1});
   CHECK(grove.points.empty());
   CHECK(shown_of(grove.rule, {1, 0, 1, {}}, 0).count == 0);
 }

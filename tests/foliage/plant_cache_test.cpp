@@ -44,6 +44,10 @@ TEST_CASE("plant cache: what is read back is what was written") {
   const std::string bytes = encoded(shrub());
   const PreparedPlant again = decoded(bytes_of(bytes));
   CHECK(encoded(again) == bytes);
+  CHECK(checksum_of(again) == checksum_of(shrub()));
+  PreparedPlant other = again;
+  other.grove.light[2][7] *= 1.001F;
+  CHECK(checksum_of(other) != checksum_of(shrub()));
   CHECK(again.name == shrub().name);
   CHECK(again.leaves.size() == shrub().leaves.size());
   CHECK(std::memcmp(again.points.data(), shrub().points.data(), sizeof(LeafPoint) * again.points.size()) == 0);
@@ -59,7 +63,7 @@ TEST_CASE("plant cache: a file is whole, replaced whole, and named when it canno
   CHECK(files_in(folder.path()) == 1);
   CHECK(encoded(read_prepared(file)) == encoded(shrub()));
   CHECK_THROWS_WITH(read_prepared(folder.path() / "b.plant"), Catch::EndsWith("b.plant: no such file"));
-  CHECK_THROWS_WITH(read_prepared(folder.path()), Catch::EndsWith("no such file"));
+  CHECK_THROWS_WITH(read_prepared(folder.path()), Catch::EndsWith("is no file"));
   files::write_whole(file, "oak");
   CHECK_THROWS_WITH(read_prepared(file), Catch::EndsWith("a.plant: is no prepared plant"));
 }
