@@ -63,7 +63,7 @@ int bake_plant(const bake::Options& options) {
 }
 
 Imported read(const bake::Options& options, const Progress& show) {
-  if (is_baked(options.city)) return read_baked(options.city);
+  if (is_baked(options.city) && options.terrain.empty()) return read_baked(options.city);
   CityFeatures features = read_city(options.city, options.import, show);
   const Terrain terrain = options.terrain.empty() ? Terrain() : read_terrain(options.terrain, features);
   Imported city = build_scene(std::move(features), terrain, options.import, show);

@@ -98,22 +98,45 @@ CityFeatures load_ecosystem(const Options& options, Plants& plants) {
   return ecosystem_features(ecosystem, std::span(plants).subspan(kPlantSpecies));
 }
 
+/// With a terrain none is: read_city() says what is wrong with those that are baked.
+bool is_scene(const Options& options, const std::string& city) { return is_baked(city) && options.terrain.empty(); }
+
+std::vector<Imported> load_scenes(const Options& options) {
+  std::vector<Imported> scenes;
+  if (is_scene(options, options.city)) scenes.push_back(read_baked(options.city));
+  for (const std::string& city : options.more)
+    if (is_scene(options, city)) scenes.push_back(read_baked(city));
+  return scenes;
+}
+
+/// Of everything else; none: there is nothing else.
+std::optional<CityFeatures> load_features(const Options& options, const ImportOptions& how, const Progress& show,
+                                          Plants& plants) {
+  std::optional<CityFeatures> all;
+  const auto add = [&](CityFeatures more) { all ? merge(*all, std::move(more)) : void(all = std::move(more)); };
+  if (is_ecosystem(options.city))
+    add(load_ecosystem(options, plants));
+  else if (!options.city.empty() && !is_scene(options, options.city))
+    add(read_city(options.city, how, show));
+  for (const std::string& city : options.more)
+    if (!is_scene(options, city)) add(read_city(city, how, show));
+  for (const auto& list : options.tree_lists) add(read_tree_list(list, options.tree_columns, how));
+  return all;
+}
+
 /// Without its photo.
 Imported load_plain_city(const Options& options, Plants& plants) {
   const ImportOptions how{
       .seed = options.seed, .cars = options.cars, .lod = options.lod, .reference_system = options.reference_system};
-  const bool alone = options.more.empty() && options.tree_lists.empty() && options.terrain.empty();
-  if (is_baked(options.city) && alone) return read_baked(options.city);
-  std::optional<CityFeatures> all;
-  if (is_ecosystem(options.city)) all = load_ecosystem(options, plants);
+  std::vector<Imported> scenes = load_scenes(options);
   apps::ProgressBar bar(stderr);
   const auto show = [&](std::string_view stage, double fraction) { bar.show(stage, fraction); };
-  const auto add = [&](CityFeatures more) { all ? merge(*all, std::move(more)) : void(all = std::move(more)); };
-  if (!all && !options.city.empty()) all = read_city(options.city, how, show);
-  for (const std::string& city : options.more) add(read_city(city, how, show));
-  for (const auto& list : options.tree_lists) add(read_tree_list(list, options.tree_columns, how));
-  const Terrain terrain = options.terrain.empty() ? Terrain() : read_terrain(options.terrain, *all);
-  return build_scene(std::move(*all), terrain, how, show);
+  if (auto features = load_features(options, how, show, plants)) {
+    const Terrain terrain = options.terrain.empty() ? Terrain() : read_terrain(options.terrain, *features);
+    const bool first = !is_scene(options, options.city);
+    scenes.insert(first ? scenes.begin() : scenes.end(), build_scene(std::move(*features), terrain, how, show));
+  }
+  return merge(std::move(scenes));
 }
 
 }  // namespace

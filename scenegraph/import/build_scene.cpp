@@ -1,11 +1,9 @@
 // The order of work: streets become a graph, everything gets a centre, centres fall into blocks, blocks get frames,
-// objects get meshes in them, meshes give bounds, bounds give the tree, and the tree gives the order that all is stored
-// in.
+// objects get meshes in them, meshes give bounds; the rest is assemble().
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <chrono>
-#include <numeric>
 
 #include "culling/hash.h"
 #include "scenegraph/import/blocks.h"
@@ -13,7 +11,7 @@
 #include "scenegraph/import/building_levels.h"
 #include "scenegraph/import/geos.h"
 #include "scenegraph/import/import.h"
-#include "scenegraph/import/layers.h"
+#include "scenegraph/import/loose_city.h"
 #include "scenegraph/import/meshes.h"
 #include "scenegraph/import/paved_ground.h"
 #include "scenegraph/import/surface_piece.h"
@@ -34,9 +32,7 @@ double height_of(const CityMesh& mesh) {
 class Builder {
  public:
   Builder(CityFeatures features, const Terrain& terrain, const ImportOptions& options, const Progress& progress)
-      : f_(std::move(features)), terrain_(terrain), options_(options), progress_(progress) {
-    scene_.frame = f_.frame;
-  }
+      : f_(std::move(features)), terrain_(terrain), options_(options), progress_(progress) {}
 
   Imported run() {
     const auto start = std::chrono::steady_clock::now();
@@ -44,12 +40,12 @@ class Builder {
     drive();
     make_meshes();
     drop_empty();
-    const SceneObjects objects = gather();
-    OrderedTree built = build_tree(block_volumes(), objects);
-    store(built, objects);
-    scene_.tree = std::move(built.tree);
+    count_fallback();
+    Imported result =
+        assemble({f_.frame, std::move(frames_), std::move(buildings_), std::move(surfaces_), std::move(trees_),
+                  std::move(traffic_), f_.attributes.take(), std::move(f_.attribution), std::move(f_.issues)});
     tell(1);
-    Imported result{std::move(scene_), std::move(f_.issues), report_};
+    result.report.fallback_blocks = fallback_blocks_, result.report.fallback_objects = fallback_objects_;
     result.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
   }
@@ -117,7 +113,7 @@ class Builder {
 
   void drive() {
     tell(0.45);
-    scene_.traffic = build_traffic(
+    traffic_ = build_traffic(
         f_.frame, graph_, plan_.half_streets, static_cast<std::uint32_t>(plan_.blocks.size()),
         {.cars = options_.cars, .left_hand = f_.left_hand_traffic, .seed = options_.seed, .terrain = &terrain_});
   }
@@ -194,89 +190,21 @@ class Builder {
     std::erase_if(surfaces_, empty);
   }
 
-  // Numbered in this order: buildings, surfaces, trees.
-  SceneObjects gather() const {
-    SceneObjects objects;
-    for (const MeshObject& object : buildings_) objects.add(object.block, object.box, object.kind);
-    for (const MeshObject& object : surfaces_) objects.add(object.block, object.box, object.kind);
-    for (const TreeObject& object : trees_) objects.add(object.instance.block, object.box, object.kind);
-    return objects;
-  }
-
-  std::vector<culling::BlockVolume> block_volumes() const {
-    std::vector<BlockContent> content(plan_.blocks.size());
-    for (const MeshObject& object : buildings_) content[object.block].add(object.box);
-    for (const MeshObject& object : surfaces_) content[object.block].add(object.box);
-    for (const TreeObject& object : trees_) content[object.instance.block].add(object.box);
-    for (std::uint32_t half = 0; half < scene_.traffic.halves.size(); ++half)
-      content[scene_.traffic.halves[half].block].add(half_street_bounds(scene_.traffic, half));
-    std::vector<culling::BlockVolume> volumes;
-    volumes.reserve(content.size());
-    for (std::size_t b = 0; b < content.size(); ++b)
-      volumes.push_back(content[b].volume(plan_.blocks[b].center, frames_[b].origin));
-    for (const HalfStreet& half : scene_.traffic.halves) volumes[half.block].classes = kCar;
-    return volumes;
-  }
-
-  void store(const OrderedTree& built, const SceneObjects& objects) {
-    tell(0.97);
-    const auto blocks = static_cast<std::uint32_t>(frames_.size());
-    std::vector<std::uint32_t> new_of_old(blocks);
-    for (std::uint32_t b = 0; b < blocks; ++b) {
-      scene_.blocks.push_back(frames_[built.tree.order[b]]);
-      new_of_old[built.tree.order[b]] = b;
-    }
-    count(blocks);
-    for (const culling::BoxD& box : objects.boxes) scene_.bounds = merge(scene_.bounds, box);
-    for (MeshObject& object : buildings_) object.block = new_of_old[object.block];
-    for (MeshObject& object : surfaces_) object.block = new_of_old[object.block];
-    for (TreeObject& object : trees_) object.instance.block = new_of_old[object.instance.block];
-    reorder_blocks(scene_.traffic, new_of_old);
-    store_attributes(built);
-    const auto surfaces = static_cast<std::uint32_t>(buildings_.size()),
-               trees = static_cast<std::uint32_t>(surfaces + surfaces_.size());
-    const auto table = [&](culling::ClassMask kinds) { return make_table(built, objects, kinds); };
-    scene_.buildings = make_layer(table(kBuildings), numbers_of(built, kBuildings), 0, std::move(buildings_));
-    scene_.surfaces = make_layer(table(kSurface), numbers_of(built, kSurface), surfaces, std::move(surfaces_));
-    scene_.trees = make_layer(table(kTrees), numbers_of(built, kTrees), trees, trees_);
-    scene_.attribution = std::move(f_.attribution);
-  }
-
-  // By the objects' numbers, as gather() gives them.
-  void store_attributes(const OrderedTree& built) {
-    if (!f_.attributes.wanted()) return;
-    std::vector<std::uint32_t> rows;
-    for (const MeshObject& object : buildings_) rows.push_back(object.attributes);
-    for (const MeshObject& object : surfaces_) rows.push_back(object.attributes);
-    for (const TreeObject& object : trees_) rows.push_back(object.attributes);
-    scene_.attributes = f_.attributes.take();
-    for (const std::uint32_t number : built.numbers) scene_.attributes.row_of_object.push_back(rows[number]);
-  }
-
-  // Objects a block, before anything is moved away.
-  void count(std::uint32_t blocks) {
-    std::vector<std::size_t> objects(blocks, 0);
-    for (const MeshObject& object : buildings_) ++objects[object.block];
-    for (const MeshObject& object : surfaces_) ++objects[object.block];
-    for (const TreeObject& object : trees_) ++objects[object.instance.block];
-    report_.blocks = blocks;
-    report_.objects = std::accumulate(objects.begin(), objects.end(), std::size_t{0});
-    for (std::size_t b = 0; b < blocks; ++b) {
-      report_.fallback_blocks += plan_.blocks[b].fallback ? 1 : 0;
-      report_.fallback_objects += plan_.blocks[b].fallback ? objects[b] : 0;
-    }
-    if (objects.empty()) return;
-    std::sort(objects.begin(), objects.end());
-    report_.objects_median = objects[objects.size() / 2];
-    report_.objects_largest = objects.back();
+  // Objects in blocks that are no face of the street network, before anything is moved away.
+  void count_fallback() {
+    const auto see = [&](std::uint32_t block) { fallback_objects_ += plan_.blocks[block].fallback ? 1 : 0; };
+    for (const MeshObject& object : buildings_) see(object.block);
+    for (const MeshObject& object : surfaces_) see(object.block);
+    for (const TreeObject& object : trees_) see(object.instance.block);
+    fallback_blocks_ = static_cast<std::size_t>(std::ranges::count_if(plan_.blocks, &BlockGround::fallback));
   }
 
   CityFeatures f_;
   const Terrain& terrain_;
   const ImportOptions& options_;
   const Progress& progress_;
-  Scene scene_;
-  ImportReport report_;
+  Traffic traffic_;
+  std::size_t fallback_blocks_ = 0, fallback_objects_ = 0;
   StreetGraph graph_;
   BlockPlan plan_;
   std::vector<BlockFrame> frames_;

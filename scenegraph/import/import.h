@@ -65,6 +65,10 @@ CityFeatures read_city(const std::string& city, const ImportOptions& options, co
 /// its number listed.
 void merge(CityFeatures& into, CityFeatures more);
 
+/// Scenes that are there already, baked ones too, as one: likewise, in the frame of the first, under a tree of its own.
+/// Meshes come to memory; what neighbours hide of trees is to be found again. At least one.
+Imported merge(std::vector<Imported> cities);
+
 /// Never fails for bad features: they are listed.
 Imported build_scene(CityFeatures features, const ImportOptions& options, const Progress& progress);
 

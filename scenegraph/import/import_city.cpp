@@ -30,8 +30,7 @@ CityFeatures read_city(const std::string& city, const ImportOptions& options, co
   if (const auto times = town_times(city)) return make_town(options.seed, *times);
   if (city.starts_with("builtin:"))
     throw std::runtime_error(city + ": there is only builtin:town, and builtin:town:10 for one ten times as large");
-  if (is_baked(city))
-    throw std::runtime_error(city + ": a baked city cannot be merged with others, or get another ground");
+  if (is_baked(city)) throw std::runtime_error(city + ": a baked city stands on its ground already, and gets no other");
   if (is_gis_vectors(city)) return read_gis_vectors(city, {}, options);
   return is_cityjson(city) ? read_cityjson(city, options, progress) : read_osm(city, progress, options.attributes);
 }

@@ -3,13 +3,15 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <fstream>
 
 #include "apps/common/quantile.h"
 #include "apps/walkthrough/builtin_paths.h"
 #include "apps/walkthrough/frame.h"
 #include "apps/walkthrough/load.h"
 #include "gl/context.h"
-#include "scenegraph/import/import.h"
+#include "scenegraph/import/baked_city.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace manzana;
 using namespace manzana::walkthrough;
@@ -63,6 +65,27 @@ TEST_CASE("city: along pina the tree submits at most 0.40 of all triangles, leve
   INFO("median triangles " << median_triangles(bqr) << " of " << median_triangles(none));
   CHECK(median_triangles(bqr) <= 0.40 * median_triangles(none));
   for (const FrameRow& row : none) CHECK(row.buildings_visible == city.scene.buildings.table.size());
+}
+
+TEST_CASE("city: baked cities and files in any order become one city") {
+  const TemporaryFolder folder;
+  const std::string baked = (folder.path() / "town.manzana").string();
+  write_baked(baked, town_at({41.65, -0.88, 0}));
+  Options options;
+  Plants plants;
+  const auto objects = [&](const std::string& city, const std::vector<std::string>& more) {
+    options.city = city, options.more = more;
+    return load_city(options, plants).report.objects;
+  };
+  const std::size_t one = objects(baked, {});
+  CHECK(objects(baked, {baked}) == 2 * one);
+  options.more = {};
+  const Imported built = town_at({41.65, -0.88, 0});
+  const auto tree = folder.path() / "trees.csv";
+  std::ofstream(tree) << "lat,lon\n41.651,-0.881\n41.652,-0.882\n";
+  options.tree_lists = {tree};
+  CHECK(objects(baked, {}) == built.report.objects + 2);
+  CHECK(objects("", {baked}) == built.report.objects + 2);
 }
 
 TEST_CASE("city: at the pole and on the antimeridian the pictures are the same") {

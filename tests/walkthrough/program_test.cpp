@@ -250,6 +250,9 @@ TEST_CASE("program: bad input is 1 and one line that names the file") {
       {{"--path", "nowhere"}, "nowhere: no such camera path"},
       {{"--plant", "shrub=" + (folder.path() / "bad.glb").string()}, "bad.glb: "},
       {{"--orthophoto", folder.path() / "none.tif"}, "none.tif: "},
+      {{folder.path() / "x.manzana", "--terrain", folder.path() / "x.tif"},
+       "x.manzana: a baked city stands on its ground"},
+      {{"--add", folder.path() / "y.manzana"}, "y.manzana: no such file"},
       {{"--out", folder.path() / "taken"}, "taken: "},
   };
   for (const Case& c : cases) {

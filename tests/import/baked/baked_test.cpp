@@ -119,7 +119,7 @@ TEST_CASE("baked: a file is read by its name as any other city is") {
   CHECK(import_city(file.string(), {}, {}).scene.tree.objects() == village().scene.tree.objects());
   CHECK_THROWS_WITH(import_city((folder.path() / "none.manzana").string(), {}, {}), Catch::EndsWith("no such file"));
   CHECK_THROWS_WITH(read_baked(folder.path()), Catch::EndsWith("is no file"));
-  CHECK_THROWS_WITH(read_city(file.string(), {}, {}), Catch::Contains("cannot be merged"));
+  CHECK_THROWS_WITH(read_city(file.string(), {}, {}), Catch::Contains("stands on its ground already"));
 }
 
 TEST_CASE("baked: one wrong bit anywhere is told") {
