@@ -177,9 +177,11 @@ void add_options(CLI::App& app, Options& options, Texts& texts) {
                  "decides")
       ->check(CLI::IsMember(law_names()));
   app.add_flag("!--no-packs", options.packs, "far trees are drawn as near ones are, not as mosaics of their species");
-  app.add_option("--sun", options.sun_deg, "AZIMUTH,HEIGHT in degrees: where it stands, from the north over the east")
+  app.add_option("--sun", options.sun_deg,
+                 "AZIMUTH,HEIGHT in degrees: where it stands, from the north over the east; HEIGHT: 0 to 90")
       ->delimiter(',')
-      ->check(within(-360, 360));
+      ->check(within(-360, 360).application_index(0))
+      ->check(within(0, 90).application_index(1));
   app.add_flag("!--no-wind", options.wind, "trees stand still");
   app.add_option("--dispatch", texts.dispatch, "batched: all trees at once; node: each visible node's for itself")
       ->check(CLI::IsMember({"batched", "node"}))

@@ -64,7 +64,8 @@ TEST_CASE("bake tiles: who is killed in the middle leaves the whole tileset or n
   CHECK(unfinished > 0);  // some were killed while they wrote
   std::filesystem::remove_all(village.tiles);
   REQUIRE(run_program(MANZANA_BAKE, village.output.path(), village.arguments).code == 0);
-  CHECK(all_in(village.tiles) == expected);  // what they left is not in the way
+  CHECK(all_in(village.tiles) == expected);     // what they left is not in the way
+  CHECK(files_in(village.folder.path()) == 1);  // nor there any more
 }
 
 TEST_CASE("bake tiles: onto a full disk nothing is written and it is told in one line") {

@@ -277,17 +277,6 @@ TEST_CASE("tiles: what stops on the way leaves nothing") {
   CHECK(files_in(folder.path()) == 0);
 }
 
-TEST_CASE("tiles: what somebody of the same number left does not come into the folder") {
-  const TemporaryFolder folder;
-  const Imported city = import_city(MANZANA_VILLAGE, {.cars = 0}, {});
-  const auto left = folder.path() / ("tiles.part" + std::to_string(getpid()));
-  std::filesystem::create_directories(left / "tiles");
-  std::ofstream(left / "tiles" / "old.glb") << "old";
-  write_tiles(city.scene, plants_of(city.scene), folder.path() / "tiles");
-  CHECK(files_in(folder.path()) == 1);
-  CHECK_FALSE(std::filesystem::exists(folder.path() / "tiles" / "tiles" / "old.glb"));
-}
-
 TEST_CASE("tiles: buildings have the colours of their materials and textures") {
   const auto file = data_file("tiny/denhaag-subset.city.json");
   if (!file) return;

@@ -90,6 +90,16 @@ TEST_CASE("options: how much of trees is drawn") {
   CHECK(parse({"--tree-law", "none"}).exit_code == 2);
 }
 
+TEST_CASE("options: the sun stands over the horizon") {
+  const Parsed low = parse({"--sun", "-90,0"});
+  REQUIRE(low.options);
+  CHECK(low.options->sun_deg == std::array{-90.0, 0.0});
+  CHECK(parse({"--sun", "135,90"}).options);
+  for (const char* wrong : {"135,-1", "135,91", "135,nan", "361,20", "135", "1,2,3"})
+    CHECK(parse({"--sun", wrong}).exit_code == 2);
+  CHECK(parse({"--sun", "135,100"}).text.find("--sun") != std::string::npos);
+}
+
 TEST_CASE("options: wrong usage is one line and 2") {
   const std::vector<std::vector<const char*>> wrong = {
       {"--nonsense"},           {"--frames", "0"},        {"--frames", "many"},      {"--frames"},
