@@ -276,8 +276,9 @@ void View::render(std::size_t i) {
 }
 
 bool View::complete() const {
-  const State& s = *state_;
-  return s.shown.renderer && s.shown.left + s.shown.far->left() == 0;
+  State& s = *state_;
+  const std::scoped_lock lock(s.mutex);
+  return !s.asked && !s.coming.model && s.shown.renderer && s.shown.left + s.shown.far->left() == 0;
 }
 
 void View::pick(std::size_t i, const draw::PixelRect& rect, std::span<FeatureId> ids) {

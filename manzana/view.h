@@ -85,7 +85,8 @@ class View {
   /// Draws what camera `i` of the last update sees into the bound framebuffer, over what is there, by its depth.
   void render(std::size_t i);
 
-  /// The last render() lacked nothing that was in sight: what it drew is final, until something moves. No GL.
+  /// The last render() lacked nothing that was in sight, and nothing else was asked for since: what it drew is final,
+  /// until something moves. No GL.
   bool complete() const;
 
   /// What stands in each pixel of a rectangle of camera i's viewport, rows from the bottom, into the host's memory:

@@ -46,14 +46,16 @@ CityWidget::~CityWidget() {
   doneCurrent();
 }
 
-void CityWidget::open(const std::string& city) {
+void CityWidget::open(const std::string& city, const std::string& orthophoto) {
   if (loader_.joinable()) loader_.join();
+  city_ = city;
   told(QString("reading %1").arg(QString::fromStdString(city)));
-  loader_ = std::thread([this, city] {
+  loader_ = std::thread([this, city, orthophoto] {
     std::shared_ptr<const Model> model;
     QString error;
     try {
-      model = Model::load(city, {.threads = 2, .plant_cache = foliage::default_cache_folder()});
+      model =
+          Model::load(city, {.threads = 2, .orthophoto = orthophoto, .plant_cache = foliage::default_cache_folder()});
     } catch (const std::exception& e) {
       error = QString::fromUtf8(e.what());
     }

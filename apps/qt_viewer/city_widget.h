@@ -19,7 +19,9 @@ class CityWidget : public QOpenGLWidget {
   explicit CityWidget(QWidget* parent = nullptr);
   ~CityWidget() override;
 
-  void open(const std::string& city);
+  /// `orthophoto`: laid over the ground; empty: none.
+  void open(const std::string& city, const std::string& orthophoto = {});
+  const std::string& city() const { return city_; }  ///< the last that was to be opened
   const Model* model() const { return model_.get(); }
   bool shown() const { return update_.shown; }
   bool complete() const { return view_.complete(); }
@@ -56,6 +58,7 @@ class CityWidget : public QOpenGLWidget {
 
   View view_;
   Update update_;
+  std::string city_;
   std::shared_ptr<const Model> model_;
   std::shared_ptr<Nodes> nodes_;
   NodeId added_ = 0;

@@ -35,12 +35,13 @@ int main(int argc, char** argv) {
   parser.addHelpOption();
   parser.addPositionalArgument("CITY", "builtin:town or a file of OpenStreetMap", "[CITY]");
   const QCommandLineOption picture("screenshot", "write the window to FILE once the city is drawn, and end", "FILE");
-  parser.addOption(picture);
+  const QCommandLineOption photo("orthophoto", "a picture from the air over the ground (GDAL)", "FILE");
+  parser.addOptions({picture, photo});
   parser.process(application);
   manzana::qt::ViewerWindow window;
   window.resize(1100, 700);
   window.show();
   if (parser.isSet(picture)) save_and_end(window, parser.value(picture));
-  window.open(parser.positionalArguments().value(0, "builtin:town"));
+  window.open(parser.positionalArguments().value(0, "builtin:town"), parser.value(photo));
   return QApplication::exec();
 }

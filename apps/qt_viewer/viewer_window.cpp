@@ -25,6 +25,8 @@ constexpr LayerRow kLayers[] = {{"Buildings", &draw::Layers::buildings},
                                 {"Cars", &draw::Layers::cars},
                                 {"Sky", &draw::Layers::sky}};
 
+constexpr const char* kPictures = "Pictures with their place (*.tif *.tiff *.png *.jpg)";
+
 QString name_of(ObjectClass kind) {
   if (kind == kBuilding) return "building";
   return kind == kTree ? "tree" : "street or ground";
@@ -126,6 +128,10 @@ void ViewerWindow::make_menu() {
     if (!name.isEmpty()) open(name);
   });
   file->addAction("Built-in &town", this, [this] { open("builtin:town"); });
+  file->addAction("&Lay picture over the ground...", this, [this] {
+    const QString name = QFileDialog::getOpenFileName(this, "A picture from the air", {}, kPictures);
+    if (!name.isEmpty()) lay(name);
+  });
   file->addAction("&Add model...", this, [this] {
     const QString name = QFileDialog::getOpenFileName(this, "A building", {}, "glTF (*.glb *.gltf)");
     if (!name.isEmpty() && city_->model() != nullptr) add(name, city_->rect().center());
@@ -137,7 +143,11 @@ void ViewerWindow::make_menu() {
   file->addAction("&Quit", QKeySequence::Quit, this, [this] { close(); });
 }
 
-void ViewerWindow::open(const QString& file) { city_->open(file.toStdString()); }
+void ViewerWindow::open(const QString& file, const QString& orthophoto) {
+  city_->open(file.toStdString(), orthophoto.toStdString());
+}
+
+void ViewerWindow::lay(const QString& orthophoto) { open(QString::fromStdString(city_->city()), orthophoto); }
 
 void ViewerWindow::add(const QString& gltf, const QPoint& at) {
   if (city_->add(gltf.toStdString(), at) == 0) return;
@@ -177,6 +187,8 @@ void ViewerWindow::dropEvent(QDropEvent* event) {
   const QString file = urls.front().toLocalFile();
   if (city_->model() != nullptr && (file.endsWith(".glb") || file.endsWith(".gltf")))
     add(file, city_->mapFrom(this, event->position().toPoint()));
+  else if (city_->model() != nullptr && (file.endsWith(".tif") || file.endsWith(".tiff")))
+    lay(file);
   else
     open(file);
 }

@@ -20,7 +20,9 @@ class ViewerWindow : public QMainWindow {
  public:
   ViewerWindow();
   CityWidget& city() { return *city_; }
-  void open(const QString& file);
+  void open(const QString& file, const QString& orthophoto = {});
+  /// Over the ground of what is shown, which is read again; what was added to it goes.
+  void lay(const QString& orthophoto);
   /// A building as glTF, at a pixel of the city.
   void add(const QString& gltf, const QPoint& at);
   /// The window as it is, to a file. False when that cannot be written.

@@ -184,7 +184,10 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
     if (layers.cars) add(counts, draw_shadows(car_shadows, cars.selection.bins.total()));
   }
   bind_photo();
-  if (layers.sky) draw_sky(sky);
+  if (layers.sky)
+    draw_sky(sky);
+  else if (layers.surfaces)
+    draw_bare_photo(sky);
 }
 
 Renderer::Renderer(const Scene& scene, std::span<const foliage::PreparedPlant> plants, const Quality& quality,

@@ -11,24 +11,11 @@
 #include <QTreeWidget>
 #include <catch2/catch.hpp>
 
-#include "apps/qt_viewer/viewer_window.h"
+#include "tests/qt_viewer/pictures.h"
 
 using namespace manzana::qt;
 
 namespace {
-
-void wait_until(const std::function<bool()>& there, int seconds = 120) {
-  QElapsedTimer clock;
-  clock.start();
-  while (!there() && clock.elapsed() < seconds * 1000) QApplication::processEvents(QEventLoop::AllEvents, 20);
-  REQUIRE(there());
-}
-
-QImage picture_of(CityWidget& city) {
-  wait_until([&] { return city.complete(); });
-  city.repaint();
-  return city.grabFramebuffer().convertToFormat(QImage::Format_RGB32);
-}
 
 bool is_background(QRgb c) {
   return std::abs(qRed(c) - 158) < 3 && std::abs(qGreen(c) - 194) < 3 && std::abs(qBlue(c) - 230) < 3;

@@ -175,6 +175,9 @@ TEST_CASE("view 6: loading in two phases and what is new starts hidden and each 
   CHECK(frames > 10);
   CHECK(asked >= frames);
   CHECK(share_covered(picture(view, window, cameras[0])) > 0.3);
+  CHECK(view.complete());
+  view.show(nullptr);
+  CHECK_FALSE(view.complete());  // the last picture is not what comes
   view.release();
 }
 

@@ -19,16 +19,22 @@ vec4 photo_at(int level, vec2 p) {
   return textureLod(photo_rest, whole, float(level - windows));
 }
 
-// What the photo has there instead of `base`; plan: x and y in L, relative to the eye.
-vec3 photographed(vec3 base, vec2 plan) {
+// What the photo has there, premultiplied; plan: x and y in L, relative to the eye.
+vec4 photo_seen(vec2 plan) {
   vec2 p = photo.place.xy + plan * photo.place.z;
   vec2 along = dFdx(p), across = dFdy(p);
   float lod = max(0.5 * log2(max(dot(along, along), dot(across, across))), 0.0);
-  if (any(lessThan(p, vec2(0.0))) || any(greaterThan(p, photo.size.xy))) return base;
+  if (any(lessThan(p, vec2(0.0))) || any(greaterThan(p, photo.size.xy))) return vec4(0.0);
   int fine = int(lod);
   float rest = lod - float(fine);
   while (!photo_held(fine, p)) ++fine, rest = 0.0;
   vec4 seen = photo_at(fine, p);
   if (rest > 0.0 && photo_held(fine + 1, p)) seen = mix(seen, photo_at(fine + 1, p), rest);
+  return seen;
+}
+
+// And `base` where it has nothing.
+vec3 photographed(vec3 base, vec2 plan) {
+  vec4 seen = photo_seen(plan);
   return base * (1.0 - seen.a) + seen.rgb;
 }
