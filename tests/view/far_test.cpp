@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "scenegraph/horizon.h"
+#include "tests/support/data.h"
 #include "tests/view/host.h"
 
 using namespace manzana;
@@ -68,9 +69,10 @@ std::size_t threads_of_process() {
 }
 
 /// The same as a View draws it, of all that the frustum holds.
-std::vector<Rgba> picture_of_all(const HostWindow& window, const HostCamera& host, std::size_t& buildings) {
-  const Scene& scene = town()->scene();
-  draw::Renderer renderer(scene, town()->plants(), draw::quality_for(gl::renderer_name()));
+std::vector<Rgba> picture_of_all(const Model& model, const HostWindow& window, const HostCamera& host,
+                                 std::size_t& buildings) {
+  const Scene& scene = model.scene();
+  draw::Renderer renderer(scene, model.plants(), draw::quality_for(gl::renderer_name()));
   const draw::Camera camera = draw::camera_of(host.projection, host.view, host.depth, kHeight);
   VisibleSets sets(scene);
   find_visible(scene, camera.frustum, Structure::bqr, sets);
@@ -85,6 +87,21 @@ std::vector<Rgba> picture_of_all(const HostWindow& window, const HostCamera& hos
   window.clear(0, 0, 0, 0);
   renderer.overlay({.viewport = host.viewport, .depth_scale = -1, .depth_offset = 1, .nearer_is_less = true});
   return window.pixels();
+}
+
+/// 1.7 m above the ground, on a grid about the middle, outside the boxes of buildings.
+std::vector<Vec3d> places_between_houses(const Scene& scene, std::size_t n) {
+  const Vec3d middle = (scene.bounds.min + scene.bounds.max) / 2.0;
+  std::vector<Vec3d> places;
+  for (int i = 0; places.size() < n; ++i) {
+    const Vec2d at = Vec2d(middle) + 23.0 * Vec2d(i % 7 - 3, i / 7 - 3), in_tree = at - Vec2d(scene.tree.origin);
+    const auto& boxes = scene.buildings.table.boxes;
+    if (std::ranges::none_of(boxes, [&](const culling::Box& b) {
+          return glm::all(glm::greaterThan(in_tree, Vec2d(b.min))) && glm::all(glm::lessThan(in_tree, Vec2d(b.max)));
+        }))
+      places.emplace_back(at, scene.frame.ground_z(at) + 1.7);
+  }
+  return places;
 }
 
 }  // namespace
@@ -189,7 +206,7 @@ TEST_CASE("view: what stands behind buildings is left out and the picture is the
   view.drawing().mosaics = false;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     std::size_t all = 0;
-    const auto of_all = picture_of_all(window, cameras[i], all);
+    const auto of_all = picture_of_all(*town(), window, cameras[i], all);
     const auto seen = picture(view, window, cameras[i]);
     const std::size_t left = view.update({&cameras[i], 1}, 0).cameras[0].buildings;
     CAPTURE(i, all, left);
@@ -197,6 +214,32 @@ TEST_CASE("view: what stands behind buildings is left out and the picture is the
     CHECK(left <= all);
     if (i != 1) CHECK(left < all / 2);
   }
+  view.release();
+}
+
+TEST_CASE("view: of CityJSON too, from between the houses") {
+  const auto file = data_file("citymodel/delft-bgt.city.json");
+  if (!file) return;
+  const auto delft = Model::load(file->string(), {.trees = false});
+  const gl::HeadlessContext context;
+  const HostWindow window(kWidth, kHeight);
+  View view;
+  view.show(delft);
+  std::size_t all = 0, left = 0;
+  for (const Vec3d& eye : places_between_houses(delft->scene(), 4)) {
+    for (const Vec3d& way : {Vec3d(1, 0.3, 0), Vec3d(-0.5, 1, 0.05), Vec3d(0.2, -1, 0)}) {
+      const HostCamera camera = looking(eye, eye + way, kWidth, kHeight);
+      std::size_t in_frustum = 0;
+      const auto of_all = picture_of_all(*delft, window, camera, in_frustum);
+      const auto seen = picture(view, window, camera);
+      CAPTURE(eye.x, eye.y, way.x);
+      CHECK(share_different(of_all, seen, 2) < 1e-4);
+      all += in_frustum;
+      left += view.update({&camera, 1}, 0).cameras[0].buildings;
+    }
+  }
+  CAPTURE(all, left);
+  CHECK(left < all / 2);
   view.release();
 }
 
