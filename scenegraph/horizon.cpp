@@ -15,10 +15,10 @@ namespace {
 constexpr std::size_t kColumns = 4096;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// What floats, and the lean of walls against L's up, may be wrong by: of elevations and distances, relative.
+/// What floats may be wrong by: of elevations and distances, relative.
 constexpr float kMargin = 2e-3F;
-constexpr float kLeastAway =
-    0.1F;  // metres of the eye from a wall's plane: nearer ones are seen too much from the side
+constexpr float kMostMargin = 0.5F;  // of walls that lean against L's up, as they do far from its middle
+constexpr float kLeastAway = 0.1F;   // metres of the eye from a wall's plane: nearer ones are seen from the side
 
 /// Rises with the angle of p, from 0 to 4 in a turn: no arc tangent is needed.
 float turn_of(const Vec2& p) {
@@ -235,21 +235,25 @@ void Horizon::add_walls(const Scene& scene, std::uint32_t block, const ObjectRun
 }
 
 /// Whether any of an upright line of the wall lies before the near plane.
-bool Horizon::is_cut(const Vec2& at, const UprightWall& wall, float up) const {
+bool Horizon::is_cut(const Vec2& at, const UprightWall& wall, float up, float lean) const {
   constexpr float kClose = 0.01F;  // metres
   const Vec3& n = near_plane_.normal;
   const float z = (n.z > 0 ? wall.bottom : wall.top) + up;
-  return n.x * at.x + n.y * at.y + n.z * z + near_plane_.offset < kClose;
+  return n.x * at.x + n.y * at.y + n.z * z + near_plane_.offset < kClose + lean;
 }
 
 /// Of a wall that goes on to both sides of the column.
 Horizon::Column Horizon::seen_in(std::size_t column, const UprightWall& wall, const Facing& facing, float up) const {
   const float u = glm::dot(facing.normal, edges_[column]), v = glm::dot(facing.normal, edges_[column + 1]);
   const float slant = std::min(u, v) / facing.away, nearest = facing.away / std::max(u, v);
-  const auto cut = [&](std::size_t edge, float part) { return is_cut(edges_[edge] * (facing.away / part), wall, up); };
-  const bool seen = facing.away > kLeastAway && nearest > static_cast<float>(kNearest) && slant > 0;
+  const auto cut = [&](std::size_t edge, float part) {
+    return is_cut(edges_[edge] * (facing.away / part), wall, up, facing.lean);
+  };
+  const float margin = kMargin + facing.lean / facing.away;
+  const bool seen =
+      facing.away > kLeastAway && nearest > static_cast<float>(kNearest) && slant > 0 && margin < kMostMargin;
   if (!seen || cut(column, u) || cut(column + 1, v)) return {};
-  return {(wall.bottom + up) * slant * (1 - kMargin), (wall.top + up) * slant * (1 - kMargin), (1 + kMargin) / slant};
+  return {(wall.bottom + up) * slant * (1 - margin), (wall.top + up) * slant * (1 - margin), (1 + margin) / slant};
 }
 
 /// Walls that continue each other, clockwise about the eye. Columns at both ends are covered in part, and so not at
@@ -257,20 +261,26 @@ Horizon::Column Horizon::seen_in(std::size_t column, const UprightWall& wall, co
 void Horizon::add_chain(const Vec3& offset, float lean) {
   if (chain_.empty()) return;
   const Vec2 at(offset);
-  const auto slack = [&](const UprightWall& wall,
-                         const Vec2& end) {  // in columns, of which a turn has more than enough
-    return (wall.slack + lean * std::max(-wall.bottom, wall.top)) / glm::length(end + at) * kColumnsATurn;
+  const auto lean_of = [&](const UprightWall& wall) { return lean * std::max(-wall.bottom, wall.top); };
+  // In columns: at most kColumnsATurn for a radian.
+  const auto slack = [&](const UprightWall& wall, const Vec2& end) {
+    return (wall.slack + lean_of(wall)) / glm::length(end + at) * kColumnsATurn;
   };
   const auto column_of = [](float columns) { return static_cast<std::int64_t>(std::floor(columns)); };
-  float now = turn_of(chain_.front().a + at) * kColumnsATurn;
+  const auto span_of = [&](const UprightWall& wall) {
+    return turned(turn_of(wall.a + at), turn_of(wall.b + at)) * kColumnsATurn;
+  };
+  float now = turn_of(chain_.front().a + at) * kColumnsATurn, end = now;
+  for (const UprightWall& wall : chain_) end += span_of(wall);
   const std::int64_t begin = column_of(now - slack(chain_.front(), chain_.front().a));
+  const std::int64_t stop = column_of(end + slack(chain_.back(), chain_.back().b));
   std::int64_t open = begin;  // the column that the wall before ended in
   Column so_far;
   for (const UprightWall& wall : chain_) {
-    const float next = now + turned(turn_of(wall.a + at), turn_of(wall.b + at)) * kColumnsATurn;
+    const float next = now + span_of(wall);
     const Vec2 along = glm::normalize(wall.b - wall.a), normal(-along.y, along.x);
-    const Facing facing{normal, glm::dot(normal, wall.a + at)};
-    const std::int64_t last = column_of(&wall == &chain_.back() ? next + slack(wall, wall.b) : next);
+    const Facing facing{normal, glm::dot(normal, wall.a + at), lean_of(wall)};
+    const std::int64_t last = std::max(column_of(next), stop);
     for (std::int64_t i = std::min(column_of(now), begin); i >= last; --i) {
       const std::size_t column = wrapped(i);
       const Column seen = seen_in(column, wall, facing, offset.z), with = i == open ? both(seen, so_far) : seen;

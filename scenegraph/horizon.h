@@ -53,12 +53,13 @@ class Horizon {
   struct Facing {
     Vec2 normal{0, 0};  ///< of a wall's plane, away from the eye
     float away = 0;
+    float lean = 0;  ///< metres by which its top or bottom is off the plane, at most
   };
   void list_blocks(const VisibleSets& sets);
   bool hidden(const culling::BoxD& box) const;
   void sweep(const Scene& scene, VisibleSets& sets, const IsThere& there);
   void keep_objects(const Scene& scene, std::uint32_t block, VisibleSets& sets, const IsThere& there);
-  bool is_cut(const Vec2& at, const UprightWall& wall, float up) const;
+  bool is_cut(const Vec2& at, const UprightWall& wall, float up, float lean) const;
   void add_walls(const Scene& scene, std::uint32_t block, const culling::ObjectRun& buildings);
   void add_chain(const Vec3& offset, float lean);
   Column seen_in(std::size_t column, const UprightWall& wall, const Facing& facing, float up) const;

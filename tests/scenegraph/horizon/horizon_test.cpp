@@ -155,6 +155,25 @@ TEST_CASE("horizon: no ray reaches what was taken away") {
   CHECK(taken.rays > 2000);
 }
 
+// The frame's up is not theirs: walls lean by a thirtieth.
+TEST_CASE("horizon: no ray reaches what was taken away far from the middle of the frame") {
+  support::Random random(8);
+  std::vector<BuildingFeature> houses;
+  constexpr double kFar = 200'000;
+  for (int i = 0; i < 900; ++i) {
+    const Vec2d low(kFar + 16 * (i % 30) + random.within(0, 2), 16 * (i / 30) + random.within(0, 2));
+    houses.push_back(box(low, low + Vec2d(random.within(8, 12), random.within(8, 12)), random.within(4, 60)));
+  }
+  const Scene scene = scene_of(std::move(houses));
+  std::vector<Vec3d> eyes;
+  for (int i = 0; i < 40; ++i) {
+    const Vec2d at(kFar + 16 * random.below(30) - 1.5, random.within(0, 480));
+    eyes.emplace_back(at, scene.frame.ground_z(at) + random.within(1, 20));
+  }
+  const Taken taken = check_by_rays(scene, eyes, random);
+  CHECK(taken.gone > 1000);
+}
+
 // The same corner in a town ten times as large: what is brought and submitted, over eight ways of looking.
 TEST_CASE("horizon: a town ten times as large costs little more from the same corner") {
   const auto triangles_seen = [](const Scene& scene, bool hide) {
