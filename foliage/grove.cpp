@@ -12,26 +12,30 @@ constexpr std::uint32_t kMostPoints = 1U << (kGroveFits - 1);  // of a tree
 constexpr double kFade = 0.3;  // of the points that are meant; half of it is beyond them
 constexpr double kBeyond = 1 + kFade / 2;
 
-/// Of a plant, of natural size.
+constexpr float kTall = 4;  // times the median height
+
+float height_of(const PreparedPlant& plant, const TreeSite& site) { return plant.height_m * site.height; }
+
 std::uint32_t points_of(const PreparedPlant& plant, const TreeSite& site) {
-  if (plant.point_levels.empty()) return 0;
-  const double h = static_cast<double>(plant.height_m * site.height),
+  if (plant.grove.points.size() == 0) return 0;
+  const double h = static_cast<double>(height_of(plant, site)),
                cover = static_cast<double>(plant.cover_m2 * site.radius * site.height);
   const double wanted = kBeyond * kGrovePoints * cover * kNoGrove * kNoGrove / (h * h);
-  const auto most = static_cast<double>(std::min(kMostPoints, plant.point_levels[0].points.size()));
-  return static_cast<std::uint32_t>(std::clamp(std::ceil(wanted), 1.0, most));
+  return static_cast<std::uint32_t>(
+      std::clamp(std::ceil(wanted), 1.0, static_cast<double>(std::min(kMostPoints, plant.grove.points.size()))));
 }
 
 Vec3 turned(const TreeSite& site, const Vec3& v) {
   return {v.x * site.turn.x - v.y * site.turn.y, v.x * site.turn.y + v.y * site.turn.x, v.z};
 }
 
-LeafPoint placed(const LeafPoint& point, const TreeSite& site, float scale) {
+LeafPoint placed(const LeafPoint& point, const TreeSite& site, float scale, bool leaf) {
   const Vec3 size(site.radius, site.radius, site.height);
   LeafPoint out = point;
   out.position = site.position + turned(site, point.position * size);
   out.area *= scale * site.radius * site.height;
-  out.normal = pack_normal(glm::normalize(turned(site, unpack_normal(point.normal) / size)));
+  out.normal =
+      pack_normal(glm::normalize(turned(site, unpack_normal(point.normal) / size))) | (leaf ? glsl::kGroveLeaf : 0);
   out.tree = site.hash;
   return out;
 }
@@ -55,8 +59,9 @@ void add_tree(const PreparedPlant& plant, const TreeSite& site, std::vector<Rank
   const auto n = static_cast<double>(rows.size());
   const auto scale = static_cast<float>(sum > 0 ? fitted(fit.area, 0, n) / sum : 0);
   const double step = static_cast<double>(hash(site.hash) >> 40) * 0x1p-24;
+  const bool leaf = !plant.point_levels.empty();
   for (std::size_t j = 0; j < rows.size(); ++j)
-    all.push_back({(static_cast<double>(j) + step) / n, placed(plant.points[rows[j]], site, scale)});
+    all.push_back({(static_cast<double>(j) + step) / n, placed(plant.points[rows[j]], site, scale, leaf)});
 }
 
 double shown_area(std::span<const LeafPoint> points, double meant) {
@@ -115,6 +120,20 @@ Sum sum_of(std::span<const PreparedPlant> plants, std::span<const TreeSite> site
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> grove_rows(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites,
+                                      bool tall) {
+  std::vector<float> heights;
+  for (const TreeSite& site : sites) heights.push_back(height_of(plants[site.plant], site));
+  if (heights.empty()) return {};
+  std::vector<float> sorted = heights;
+  const auto median = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), median, sorted.end());
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t row = 0; row < heights.size(); ++row)
+    if ((heights[row] > kTall * *median) == tall) rows.push_back(row);
+  return rows;
+}
 
 GroveRule grove_rule(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites) {
   GroveRule rule;

@@ -4,9 +4,9 @@
 /// not how many trees it has.  [the "block of trees" of Zhang 2004's future work, by Deussen's points]
 ///   Grove grove = make_grove(plants, sites_of_the_block);                    // once, on any thread
 ///   GroveShown shown = shown_of(grove.rule, {error_m, up}, points_there);    // each frame
-/// Each tree gives the first so many points of one of its levels, as many as it covers squares of the error where it
-/// is just too large for a grove. They stand in an order of which every prefix has of each tree its share, spread over
-/// its crown, to a point: fewer is "the first so many", with larger areas.
+/// Each tree gives the first so many points of one of its levels, or of its branches if it has no leaves, as many as it
+/// covers squares of the error where it is just too large for a grove. They stand in an order of which every prefix has
+/// of each tree its share, spread over its crown, to a point: fewer is "the first so many", with larger areas.
 #include <array>
 #include <span>
 
@@ -14,6 +14,12 @@
 #include "foliage/plant_table.h"
 
 namespace manzana::foliage {
+
+namespace glsl {
+#include "foliage/shaders/grove_layout.glsl"
+}  // namespace glsl
+using glsl::GroveItem;
+static_assert(sizeof(GroveItem) == 32);
 
 /// Heights of trees in tolerated errors: a grove alone is drawn where all of its are lower than the first, none of it
 /// where one is higher than the second.
@@ -37,6 +43,11 @@ struct Grove {
   std::vector<LeafPoint> points;
   GroveRule rule;
 };
+
+/// Of a block's trees the tall ones, more than four times as high as most, or all others: each have a grove of their
+/// own, since grass would have to wait for the oaks that stand on it. By rows; linear.
+std::vector<std::uint32_t> grove_rows(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites,
+                                      bool tall);
 
 /// What it will have, but for `worth`; cheap.
 GroveRule grove_rule(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites);

@@ -14,8 +14,9 @@
 namespace manzana::foliage {
 namespace {
 
-constexpr std::size_t kTrials = 12;  // trees, each seen from another side
+constexpr std::size_t kTrials = 64, kSquares = 4096;  // at least so many trees, each from another side, and points
 constexpr int kGrid = 128;
+constexpr double kSteepest = 10;  // rise: almost from above, so that eight sides are eight pictures
 
 float sine_of(std::size_t view) { return static_cast<float>(view) / (kGroveViews - 1); }
 
@@ -33,24 +34,33 @@ struct SeenSquares {
 class Picture {
  public:
   SeenSquares draw(std::span<const Square> squares, float scale) {
-    nearest_.fill(nullptr);
+    ++picture_;
+    SeenSquares seen;
     for (const Square& square : squares) {
       const float half = 0.5F * std::sqrt(square.area * scale);
       const auto pixel = [](float v) { return first_pixel(v, kGrid); };
       for (int y = pixel(square.middle.y - half); y < pixel(square.middle.y + half); ++y)
-        for (int x = pixel(square.middle.x - half); x < pixel(square.middle.x + half); ++x) {
-          const Square*& there = nearest_[static_cast<std::size_t>(y * kGrid + x)];
-          if (there == nullptr || there->nearness < square.nearness) there = &square;
-        }
+        for (int x = pixel(square.middle.x - half); x < pixel(square.middle.x + half); ++x)
+          put(square, pixels_[static_cast<std::size_t>(y * kGrid + x)], seen);
     }
-    SeenSquares seen;
-    for (const Square* square : nearest_)
-      if (square != nullptr) seen.pixels += 1, seen.light += static_cast<double>(square->light);
     return seen;
   }
 
  private:
-  std::array<const Square*, std::size_t{kGrid} * kGrid> nearest_{};
+  struct Pixel {
+    const Square* nearest = nullptr;
+    std::uint32_t picture = 0;  // of an earlier one: nothing is there
+  };
+  void put(const Square& square, Pixel& there, SeenSquares& seen) const {
+    const bool first = there.picture != picture_;
+    if (!first && there.nearest->nearness >= square.nearness) return;
+    seen.pixels += first ? 1 : 0;
+    seen.light += static_cast<double>(square.light - (first ? 0 : there.nearest->light));
+    there = {&square, picture_};
+  }
+
+  std::array<Pixel, std::size_t{kGrid} * kGrid> pixels_{};
+  std::uint32_t picture_ = 0;
 };
 
 using Trials = std::vector<std::vector<Square>>;
@@ -123,10 +133,10 @@ double area_in(const PreparedPlant& plant, std::span<const std::uint32_t> rows) 
   return sum;
 }
 
-/// The scale, at most 4096, at which they cover so much.
+/// The scale, of points that sum up to a square metre, at which they cover so much: a plant may be a blade of grass.
 double fitted_scale(Fitter& fitter, const Trials& trials, double cover_m2) {
-  double low = 1.0 / 64, high = 4096;
-  for (int step = 0; step < 16; ++step) {
+  double low = cover_m2 / 16, high = 64 * cover_m2;
+  for (int step = 0; step < 12; ++step) {
     const double middle = std::sqrt(low * high);
     (fitter.covered_m2(trials, middle) < cover_m2 ? low : high) = middle;
   }
@@ -137,7 +147,7 @@ double fitted_scale(Fitter& fitter, const Trials& trials, double cover_m2) {
 Trials first_points(const Fitter& fitter, const PreparedPlant& plant, const GroveFit& fit, std::size_t view,
                     std::uint32_t n) {
   Trials trials;
-  for (std::size_t t = 0; t < kTrials; ++t) {
+  for (std::size_t t = 0; t < std::max(kTrials, kSquares / n); ++t) {
     const auto rows = chosen_points(fit, n, static_cast<std::uint32_t>(hash(n, t)));
     trials.push_back(fitter.seen(rows, view, t, static_cast<float>(1 / std::max(area_in(plant, rows), 1e-9))));
   }
@@ -157,12 +167,13 @@ double light_of_all(Fitter& fitter, const GroveFit& fit, std::size_t view) {
 
 GroveFit fit_grove(const PreparedPlant& plant) {
   GroveFit fit;
-  if (plant.point_levels.empty()) return fit;
-  fit.points = level_with(plant, 1U << (kGroveFits - 1)).points;
+  if (plant.points.empty()) return fit;
+  fit.points = plant.point_levels.empty() ? Run{0, static_cast<std::uint32_t>(plant.points.size())}
+                                          : level_with(plant, 1U << (kGroveFits - 1)).points;
   Fitter fitter(plant);
   for (std::size_t view = 0; view < kGroveViews; ++view) {
     const double up = static_cast<double>(sine_of(view));
-    fit.cover_m2[view] = covered_m2(plant, std::min(up / std::sqrt(1 - up * up), 1e3));
+    fit.cover_m2[view] = covered_m2(plant, std::min(up / std::sqrt(1 - up * up), kSteepest));
     const double light = light_of_all(fitter, fit, view);
     for (std::size_t i = 0; i < kGroveFits; ++i) {
       const Trials trials = first_points(fitter, plant, fit, view, 1U << i);

@@ -9,7 +9,8 @@
 
 namespace manzana::foliage {
 
-/// Of a prepared plant. Of one without points: nothing.
+/// Of a prepared plant: of one of its levels of points, or of those on its bare branches. Of one without points:
+/// nothing.
 GroveFit fit_grove(const PreparedPlant& plant);
 
 /// Of a table of the fit, between the two next numbers of points; less than one: as many trees are missing as the

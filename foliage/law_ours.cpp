@@ -88,14 +88,15 @@ double mesh_level(const LawMeasures& m, double error_m) {
   return level;
 }
 
-/// None where even the trunk is not seen: an eighth of the error and less.
+/// None where even the trunk is not seen, an eighth of the error and less: but of a plant without leaves, which is
+/// nothing else.
 void set_lines(Detail& d, const PreparedPlant& plant, double error_m) {
   d.lines = 1;
   if (plant.line_levels.empty()) return;
   const double level = 1 + std::log2(error_m / static_cast<double>(plant.line_levels.front().error_m));
   const auto last = static_cast<double>(plant.line_levels.size());
   d.line_level = static_cast<float>(std::clamp(level, 0.0, last));
-  d.lines = static_cast<float>(std::clamp(last + 1 - level, 0.0, 1.0));
+  d.lines = plant.leaves.empty() ? 1 : static_cast<float>(std::clamp(last + 1 - level, 0.0, 1.0));
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ void check_side(const LdmPack& pack, std::size_t row) {
 void check(const LdmPack& pack) {
   const LdmOptions& o = pack.options;
   if (!sane(pack.centre) || !(pack.radius > 0 && pack.radius <= 1e6F)) fail("its ball is not finite");
+  if (!(pack.height_m >= 0 && pack.height_m <= 1e6F)) fail("its height is not finite");
   if (o.layers < 1 || o.sides > LdmSides::octahedral || !(o.focal_px > 0 && o.focal_px < 1e6) ||
       !(o.nearest_radii > 1 && o.nearest_radii < 1e6) || o.nearest < 0 || o.nearest >= level_count(o))
     fail("its options are out of range");

@@ -108,7 +108,8 @@ struct LdmSide {
 struct LdmPack {
   LdmOptions options;
   Vec3 centre{0};
-  float radius = 1;  ///< of the ball, m
+  float radius = 1;    ///< of the ball, m
+  float height_m = 0;  ///< of the plant, by which wind moves it; 0: it stands still
   /// By how much a level's mosaics grow, times 1 - cosine, as they turn to the eye: so that it covers as much as the
   /// plant (foliage/ldm_cover.h).
   std::array<float, kLdmLevels> grown{};

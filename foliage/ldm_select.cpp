@@ -103,6 +103,7 @@ LdmSideHead head_of(const LdmPack& pack, const LdmSide& side) {
   head.right = Vec4(pixel * side.right, 0);
   head.up = Vec4(pixel * side.up, 0);
   head.inward = Vec4(-2 * r / 65535 * side.towards, 0);
+  head.height = pack.height_m;
   return head;
 }
 

@@ -222,6 +222,7 @@ void prepare_leaves(const Plant& plant, const PrepareOptions& options, PreparedP
   LeafQuads source = leaf_quads(plant);
   fill_unused(ready.leaf_image, source.quads);  // first: all that is fitted must be to the picture that is drawn
   LeafCloud(plant, std::move(source), options, ready).run(options.progress);
+  if (ready.leaves.empty()) ready.cover_m2 = fit_leaf_scale(ready).cover_m2;  // of branches alone
 }
 
 }  // namespace manzana::foliage

@@ -170,10 +170,11 @@ std::array<Squares, 2> mixture(const PreparedPlant& plant, std::size_t level, fl
 LeafScaleFit fit_leaf_scale(const PreparedPlant& plant, const Progress& progress) {
   LeafScaleFit out;
   out.scale.fill(1);
-  if (plant.leaves.empty()) return out;
+  if (plant.leaves.empty() && plant.bark.empty()) return out;
   const Silhouettes pictures(plant, kLeafViews);
   const Silhouettes::Coverage full = pictures.coverage(1, 1);
   out.cover_m2 = static_cast<float>(sum(full) / kViews) * pictures.pixel_m2();
+  if (plant.leaves.empty()) return out;
   for (std::size_t i = 1; i < kLeafScales; ++i) {
     const double u = std::exp2(-0.5 * static_cast<double>(i));
     out.scale[i] = root(out.scale[i - 1], 16, [&](float s) { return sum(pictures.coverage(u, s)) / sum(full) - 1; });

@@ -22,8 +22,7 @@ void set_size(const PreparedPlant& plant, PlantHead& head) {
   head.near2 = head.middle * head.middle + plant.crown_radius_m * plant.crown_radius_m;
   head.per_near2 = 1 / (3 * head.near2);
   head.crown = plant.crown_radius_m;
-  const float ellipse = std::numbers::pi_v<float> * head.middle * head.crown;
-  head.density = ellipse > 0 ? std::min(plant.cover_m2 / ellipse, 1.0F) : 0;
+  head.density = density_of(plant);
 }
 
 /// The finest lines stand before the coarse ones.
@@ -72,6 +71,11 @@ void add_visibility(const Visibility& visibility, PlantHead& head, std::vector<s
 }
 
 }  // namespace
+
+float density_of(const PreparedPlant& plant) {
+  const float ellipse = std::numbers::pi_v<float> * plant.height_m / 2 * plant.crown_radius_m;
+  return ellipse > 0 ? std::min(plant.cover_m2 / ellipse, 1.0F) : 0;
+}
 
 PlantTable make_plant_table(std::span<const PreparedPlant> plants) {
   PlantTable table;

@@ -41,6 +41,9 @@ struct PlantTable {
 /// for more than kMostLevels levels of branches, kMostPointLevels of points.
 PlantTable make_plant_table(std::span<const PreparedPlant> plants);
 
+/// Share of the ellipse of its height and width that a plant hides, seen from its sides: PlantHead::density.
+float density_of(const PreparedPlant& plant);
+
 std::uint32_t leaf_quads(const PlantTable& table, const PlantHead& plant);
 
 /// Of a level, those of branches from `branch` on; the coarsest level stands for those beyond it.

@@ -1,5 +1,6 @@
 #pragma once
-/// A light sway, done in the vertex shaders (foliage/shaders/plant.glsl, swayed()). What culls must leave room for it.
+/// A light sway, done in the vertex shaders (foliage/shaders/sway.glsl): of near trees branch by branch, of mosaics as
+/// their trunk bends; groves stand still. What culls must leave room for it.
 #include "culling/vec.h"
 
 namespace manzana::foliage {

@@ -15,12 +15,8 @@ FarSide::FarSide(std::span<const foliage::PreparedPlant> all_plants, std::span<c
 
 bool make_wanted(FarSide& far) {
   bool made = false;
-  for (const draw::GroveWanted& wanted : std::vector(far.groves.wanted)) {
-    const foliage::Run& run = far.groves.blocks[wanted.block].sites;
-    const foliage::Grove grove =
-        foliage::make_grove(far.plants, far.sites.subspan(run.first, run.size()), wanted.level);
-    made = add_grove(far.groves, wanted, grove) || made;
-  }
+  for (const draw::GroveWanted& wanted : std::vector(far.groves.wanted))
+    made = add_grove(far.groves, wanted, draw::make_grove(far.plants, far.sites, wanted)) || made;
   return made;
 }
 

@@ -12,12 +12,6 @@
 
 namespace manzana::foliage {
 
-namespace glsl {
-#include "foliage/shaders/grove_layout.glsl"
-}  // namespace glsl
-using glsl::GroveItem;
-static_assert(sizeof(GroveItem) == 32);
-
 class GroveDrawer {
  public:
   /// A page of points: the room that comes at once, and the most that a grove can take.

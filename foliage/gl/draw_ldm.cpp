@@ -19,7 +19,7 @@ gl::Program make_program(const char* name, const HostShaders& host, const gl::Pi
   gl::Pieces vertex{version_glsl, hash_glsl, ldm_layout_glsl, ldm_turn_glsl},
       pixels{version_glsl, hash_glsl, tree_share_glsl, ldm_glsl};
   vertex.insert(vertex.end(), host.vertex.begin(), host.vertex.end());
-  vertex.push_back(ldm_vert);
+  vertex.insert(vertex.end(), {sway_glsl, ldm_vert});
   pixels.insert(pixels.end(), ways.begin(), ways.end());
   pixels.insert(pixels.end(), host.mosaics.begin(), host.mosaics.end());
   return gl::make_program(name, vertex, pixels);
@@ -61,8 +61,9 @@ void LdmDrawer::draw(const Run& groups) const {
   }
 }
 
-void LdmDrawer::draw_dithered(const LdmSelection& chosen, int samples) {
+void LdmDrawer::draw_dithered(const LdmSelection& chosen, int samples, const Wind& wind) {
   begin(dithered_, chosen);
+  set_wind(wind);
   glUniform1ui(1, static_cast<GLuint>(samples));
   draw({0, static_cast<std::uint32_t>(chosen.groups.size())});
   stream_.end();

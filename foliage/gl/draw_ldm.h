@@ -18,7 +18,7 @@ class LdmDrawer {
   const LdmStore& store() const { return store_; }
 
   /// Into the bound framebuffer, with its depth, in any order: every sample shows one side and level of a tree.
-  void draw_dithered(const LdmSelection& chosen, int samples);
+  void draw_dithered(const LdmSelection& chosen, int samples, const Wind& wind = {});
 
   /// [Zhang 2004] For comparison: each rank of the selection, which must be sorted, from back to front into a picture
   /// of its own; their sum over what is in the bound framebuffer, whose depth is neither asked nor changed. Where trees

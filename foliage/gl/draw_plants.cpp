@@ -11,7 +11,7 @@ gl::Program make_program(std::string_view name, const HostShaders& host, const g
   using namespace shaders;
   gl::Pieces vertex{version_glsl, select_layout_glsl, extract_glsl, hash_glsl};
   vertex.insert(vertex.end(), host.vertex.begin(), host.vertex.end());
-  vertex.insert(vertex.end(), {packed_normal_glsl, flat_picture_glsl, plant_glsl});
+  vertex.insert(vertex.end(), {packed_normal_glsl, flat_picture_glsl, sway_glsl, plant_glsl});
   vertex.insert(vertex.end(), main.begin(), main.end());
   gl::Pieces pixels{version_glsl, hash_glsl, tree_share_glsl, cover_glsl, plant_share_glsl};
   pixels.insert(pixels.end(), fragment.begin(), fragment.end());
@@ -24,14 +24,15 @@ void draw_quads(GLintptr commands, std::uint32_t draws) {
 }
 
 void use(const gl::Program& program, const gl::Buffer& primitives, const DrawPlantsOptions& options) {
-  const Wind& wind = options.wind;
   glUseProgram(program.name());
   glUniform1f(0, options.focal_px);
-  glUniform4f(2, wind.towards.x, wind.towards.y, wind.towards.z, wind.seconds);
+  set_wind(options.wind);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kPrimitivesBinding, primitives.name());
 }
 
 }  // namespace
+
+void set_wind(const Wind& wind) { glUniform4f(2, wind.towards.x, wind.towards.y, wind.towards.z, wind.seconds); }
 
 gl::Buffer make_quad_indices(std::uint32_t quads) {
   std::vector<std::uint32_t> indices;

@@ -28,6 +28,9 @@ struct PlantPrograms {
   gl::Buffer indices;
 };
 
+/// To the program in use, as foliage/shaders/sway.glsl has it.
+void set_wind(const Wind& wind);
+
 struct DrawPlantsOptions {
   float focal_px = 1000;  ///< pixels of a metre at a distance of a metre
   int samples = 1;        ///< of the framebuffer

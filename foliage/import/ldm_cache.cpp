@@ -18,11 +18,11 @@ constexpr CacheKind kKind{{'M', 'A', 'N', 'Z', 'L', 'D', 'M', '\x1a'}, kPackForm
 /// One list for writing and for reading. Does not compile for a pack that has one member more.
 template <class Pack, class Visit>
 void each_field(Pack& pack, Visit&& visit) {
-  auto& [options, centre, radius, grown, sides, blocks, mosaics, colour, surface] = pack;
+  auto& [options, centre, radius, height_m, grown, sides, blocks, mosaics, colour, surface] = pack;
   auto& [kind, layers, smallest, colour_delta, disparity_px, occlusion, focal_px, nearest_radii, nearest] = options;
   const auto all = [&](auto&... fields) { (visit(fields), ...); };
   all(kind, layers, smallest, colour_delta, disparity_px, occlusion, focal_px, nearest_radii, nearest);
-  all(centre, radius, grown, sides, blocks, mosaics, colour, surface);
+  all(centre, radius, height_m, grown, sides, blocks, mosaics, colour, surface);
 }
 
 std::string description_of(const PreparedPlant& plant, const LdmOptions& options) {

@@ -15,7 +15,7 @@
 namespace manzana::foliage {
 
 /// Of files, and of what make_ldm_pack() and its samplers make of a plant: raised whenever one changes.
-inline constexpr std::uint32_t kPackFormat = 6;
+inline constexpr std::uint32_t kPackFormat = 7;
 
 std::string encoded(const LdmPack& pack);
 /// Throws std::runtime_error for anything but what encoded() wrote.

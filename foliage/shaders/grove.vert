@@ -1,5 +1,5 @@
 // A square of pixels that stands for leaves, or wood, of a tree of a grove: as plant_points.vert, without wind, which
-// would move it by less than a pixel. It asks of the host what plant.glsl does.
+// would move it by less than a quarter of what may be wrong. It asks of the host what plant.glsl does.
 struct LeafPoint {
   vec4 position_area;
   uvec4 rest;  // normal, sRGB colour and contrast, shade as floatBitsToUint, the tree's hash
@@ -29,17 +29,18 @@ void main() {
   LeafPoint point = points[item.first + rank];
   vec4 x = block_rows[3u * item.block], y = block_rows[3u * item.block + 1u], z = block_rows[3u * item.block + 2u];
   vec4 p = vec4(point.position_area.xyz, 1.0);
-  vec3 rel = vec3(dot(x, p), dot(y, p), dot(z, p)), n = unpack_normal(point.rest.x);
+  vec3 rel = vec3(dot(x, p), dot(y, p), dot(z, p)), of_block = unpack_normal(point.rest.x);
   gl_Position = clip_position(rel);
   float pixels = point.position_area.w * item.scale * facing_pixels(rel, depth_of(rel, gl_Position));
   pixels *= clamp((item.edge - float(rank)) / item.fade, 0.0, 1.0);
   out_alpha = min(pixels, 1.0);  // less than a pixel is drawn as a part of one
   out_hash = mixed(point.rest.w + rank);
   out_share = uvec2(point.rest.w, item.share);
-  vec3 light, air;
+  vec3 n = normalize(vec3(dot(x.xyz, of_block), dot(y.xyz, of_block), dot(z.xyz, of_block))), light, air;
+  bool leaf = (point.rest.x & kGroveLeaf) != 0u;
+  if (!leaf) n = faceforward(n, rel, n);  // of wood the side that faces the eye is seen
   float tint = float(point.rest.w & 255u) * (1.0 / 255.0);
-  plant_light(rel, normalize(vec3(dot(x.xyz, n), dot(y.xyz, n), dot(z.xyz, n))), uintBitsToFloat(point.rest.z), 1.0, tint,
-              light, air);
+  plant_light(rel, n, uintBitsToFloat(point.rest.z), float(leaf), tint, light, air);
   vec3 srgb = vec3(point.rest.y & 255u, (point.rest.y >> 8u) & 255u, (point.rest.y >> 16u) & 255u) * (1.0 / 255.0);
   vec3 mean = plant_albedo(srgb) * light * item.light, off = mean * (float(point.rest.y >> 24u) * (1.0 / 255.0));
   out_colour = 0.5 * (plant_film(mean + off + air) + plant_film(mean - off + air));

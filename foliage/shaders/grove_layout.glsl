@@ -6,3 +6,4 @@ struct GroveItem {
   float edge, fade, scale, light;  // GroveShown
 };
 const uint kGroveGroup = 16u;  // points of one item
+const uint kGroveLeaf = 1u << 30u;  // beside a point's normal: it is of a leaf, not of wood

@@ -42,6 +42,10 @@ void main() {
   vec3 towards = normalize(-side.inward.xyz);
   p += turned(off.x * side.right.xyz + off.y * side.up.xyz, towards, tree.to_eye, item.grown);
   out_rel = vec3(dot(tree.row_x, vec4(p, 1.0)), dot(tree.row_y, vec4(p, 1.0)), dot(tree.row_z, vec4(p, 1.0)));
+  if (side.height > 0.0 && wind.xyz != vec3(0.0)) {
+    float metres = length(vec3(tree.row_x.z, tree.row_y.z, tree.row_z.z)) * side.height;
+    out_rel += sway(p, side.height, metres, tree.hash, 0.0);  // boughs would swing by less than a fifth of what may be wrong
+  }
   out_texel = vec2(page.xy) + at * exp2(-float(page.w));
   uint most = ldm_most_level(box.z - box.x, box.w - box.y, page.w);
   out_square = uvec4(page.xy, (5u - page.w) | most << 8u, side.first_page + page.z);

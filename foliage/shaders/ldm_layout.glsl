@@ -21,7 +21,7 @@ struct LdmSideHead {
   vec4 origin, right, up, inward;
   uint first_block, first_page;
   uint number;  // of its pack: what is random about it must not depend on which packs there are besides
-  uint spare;
+  float height;  // of the plant, by which wind moves it; 0: it stands still
 };
 
 const uint kLdmGroup = 1u;  // mosaics of one item, drawn together: the farthest trees have one a side

@@ -10,8 +10,6 @@ layout(std430, binding = 8) readonly buffer TotalsBuffer { Totals totals; };
 
 layout(std430, binding = 3) readonly buffer PlantHeads { PlantHead heads[]; };
 
-layout(location = 2) uniform vec4 wind;  // where it blows to, level, times its strength; w: time, seconds
-
 const vec4 kNowhere = vec4(2.0, 2.0, 2.0, 1.0);  // outside of every picture, for what is not drawn
 
 vec3 place(TreeRecord tree, vec3 p) {
@@ -19,17 +17,11 @@ vec3 place(TreeRecord tree, vec3 p) {
   return vec3(dot(tree.row_x, q), dot(tree.row_y, q), dot(tree.row_z, q));
 }
 
-// The trunk bends, a branch swings on it, more so the finer it is, each tree and each bough in its own time. At most
-// kMostSway (foliage/wind.h) of the tree's height, of wind of strength 1.
 vec3 swayed(TreeRecord tree, vec3 p, uint packed_normal) {
   vec3 rel = place(tree, p);
   if (wind.xyz == vec3(0.0)) return rel;
-  float height = 2.0 * heads[tree.plant].middle, up = clamp(p.z / height, 0.0, 1.0);
-  float phase = float(tree.hash >> 8u) * (6.2831853 / 16777216.0), level = float(packed_normal >> 30u) / 3.0;
-  float trunk = up * up * (0.6 + 0.3 * sin(0.9 * wind.w + phase) + 0.1 * sin(2.3 * wind.w + 2.0 * phase));
-  float bough = level * up * sin(2.9 * wind.w + phase + dot(p, vec3(1.3, 1.7, 0.9)));
-  float metres = length(vec3(tree.row_x.z, tree.row_y.z, tree.row_z.z)) * height;
-  return rel + wind.xyz * (metres * (0.012 * trunk + 0.006 * bough));
+  float height = 2.0 * heads[tree.plant].middle, metres = length(vec3(tree.row_x.z, tree.row_y.z, tree.row_z.z)) * height;
+  return rel + sway(p, height, metres, tree.hash, float(packed_normal >> 30u) / 3.0);
 }
 
 // Squares of the scales across and along the axis.

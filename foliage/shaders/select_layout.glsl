@@ -61,6 +61,9 @@ struct CellHead {
   uint spare0, spare1, spare2;
 };
 
+// Of what is sparser, as grass and herbs are, no shadow would be seen.
+const float kLeastShadow = 0.08f;  // PlantHead::density
+
 const uint kShareShift = 24u, kAllMosaics = 255u;
 
 // A tree in view, placed: p -> dot(row, vec4(p, 1)), relative to the eye.

@@ -1,6 +1,6 @@
 #include "scenegraph/draw/far_tree_maker.h"
 
-#include "scenegraph/tree_sites.h"
+#include "scenegraph/draw/groves.h"
 
 namespace manzana::draw {
 namespace {
@@ -10,9 +10,8 @@ auto pack_task(const FarTreeSource& source, const FarTreeHow& how) {
 }
 
 auto grove_task(const FarTreeSource& source) {
-  return [source](const GroveWanted& wanted) {
-    return std::optional(foliage::make_grove(source.plants, sites_of(*source.sites, wanted.block), wanted.level));
-  };
+  return
+      [source](const GroveWanted& wanted) { return std::optional(make_grove(source.plants, *source.sites, wanted)); };
 }
 
 }  // namespace

@@ -75,17 +75,49 @@ class Splitter {
 
   /// Sites of one block.
   void add(const foliage::Run& sites) {
-    const std::uint32_t block = seen_.sites[sites.first].block, grove = share_of_grove(block);
-    if (grove < kAll)
-      for (std::uint32_t i = sites.first; i < sites.last; ++i) add(i, kAll - grove);
-    else if (throws_shadows(block))
-      for (std::uint32_t i = sites.first; i < sites.last; ++i) words_[n_++] = kAll << kShift | i;
+    if (trees_.groves == nullptr || !trees_.mosaics) {
+      for (std::uint32_t i = sites.first; i < sites.last; ++i) add_tree(i, kAll);
+      return;
+    }
+    const Groves& groves = *trees_.groves;
+    const std::uint32_t block = seen_.sites[sites.first].block;
+    const InPart low = in_part(2 * block), high = in_part(2 * block + 1);
+    const foliage::Run& run = groves.tall_runs[block];
+    const auto tall = std::span(groves.tall).subspan(run.first, run.size());
+    auto next = std::ranges::lower_bound(tall, sites.first);
+    if (low.grove == kAll && !low.shadows) {
+      for (; next != tall.end() && *next < sites.last; ++next) add(*next, high);
+      return;
+    }
+    for (std::uint32_t i = sites.first; i < sites.last; ++i) {
+      const bool is_tall = next != tall.end() && *next == i;
+      add(i, is_tall ? high : low);
+      if (is_tall) ++next;
+    }
   }
   std::uint32_t words() const { return n_; }
 
  private:
+  /// What is shown of the trees of a part of a block by others.
+  struct InPart {
+    std::uint32_t grove = 0;  ///< 255ths
+    bool shadows = false;     ///< they throw some that can be seen, although they themselves cannot
+  };
+
+  InPart in_part(std::uint32_t part) {
+    const std::uint32_t grove = share_of_grove(part);
+    return {grove, grove == kAll && throws_shadows(part)};
+  }
+
+  void add(std::uint32_t i, const InPart& part) {
+    if (part.grove < kAll)
+      add_tree(i, kAll - part.grove);
+    else if (part.shadows)
+      words_[n_++] = kAll << kShift | i;
+  }
+
   /// `most`: 255ths that the grove leaves.
-  void add(std::uint32_t i, std::uint32_t most) {
+  void add_tree(std::uint32_t i, std::uint32_t most) {
     const foliage::TreeSite& site = seen_.sites[i];
     std::uint32_t share = trees_.mosaics ? share_of(height2_in_errors(trees_.table, seen_, site)) : 0;
     if (share > 0 && !has_pack(far_, site.plant)) share = 0;
@@ -94,20 +126,19 @@ class Splitter {
     words_[n_++] = share << kShift | i;
   }
 
-  std::uint32_t share_of_grove(std::uint32_t block) {
-    if (trees_.groves == nullptr || !trees_.mosaics) return 0;
+  std::uint32_t share_of_grove(std::uint32_t part) {
     const auto mosaics = [&] {
-      const foliage::Run& all = trees_.groves->blocks[block].sites;
+      const foliage::Run& all = trees_.groves->sites[part / 2];
       bool have = true;
       for (std::uint32_t i = all.first; i < all.last; ++i) have = has_pack(far_, seen_.sites[i].plant) && have;
       return have;
     };
-    return grove_share(*trees_.groves, block, {trees_.table, seen_}, mosaics);
+    return grove_share(*trees_.groves, part, {trees_.table, seen_}, mosaics);
   }
 
-  bool throws_shadows(std::uint32_t block) const {
-    const auto radius = static_cast<double>(trees_.groves->blocks[block].crown_radius_m);
-    return radius > trees_.shadow_at_1m * static_cast<double>(distance_to(*trees_.groves, block, seen_.block_rows));
+  bool throws_shadows(std::uint32_t part) const {
+    const auto radius = static_cast<double>(trees_.groves->parts[part].shadow_radius_m);
+    return radius > trees_.shadow_at_1m * static_cast<double>(distance_to(*trees_.groves, part, seen_.block_rows));
   }
 
   FarTrees& far_;
@@ -139,9 +170,9 @@ std::uint32_t split_trees(FarTrees& far, const TreesToSplit& trees, std::uint32_
   return splitter.words();
 }
 
-std::uint64_t draw_far_trees(FarTrees& far, int samples) {
+std::uint64_t draw_far_trees(FarTrees& far, int samples, const foliage::Wind& wind) {
   if (far.trees.empty()) return 0;
-  far.drawer->draw_dithered(far.chosen, samples);
+  far.drawer->draw_dithered(far.chosen, samples, wind);
   return far.chosen.mosaics;
 }
 

@@ -47,6 +47,6 @@ struct TreesToSplit {
 std::uint32_t split_trees(FarTrees& far, const TreesToSplit& trees, std::uint32_t* words);
 
 /// As split_trees() left them. Returns mosaics.
-std::uint64_t draw_far_trees(FarTrees& far, int samples);
+std::uint64_t draw_far_trees(FarTrees& far, int samples, const foliage::Wind& wind = {});
 
 }  // namespace manzana::draw

@@ -105,9 +105,9 @@ struct DeviceMemory {
 
 inline constexpr std::uint32_t kOwnColour = ~0U;
 
-/// A block whose trees could be one, and the level of it (foliage/grove.h).
+/// A part of a block whose trees could be one (scenegraph/draw/groves.h), and the level of it (foliage/grove.h).
 struct GroveWanted {
-  std::uint32_t block, level;
+  std::uint32_t part, level;
   auto operator<=>(const GroveWanted&) const = default;
 };
 
@@ -140,8 +140,8 @@ class Renderer {
   std::span<const std::uint32_t> packs_wanted() const;
   bool add_pack(std::uint32_t plant, foliage::LdmPack pack);
   std::map<std::uint32_t, foliage::LdmPack> take_packs();  ///< all, by plant, before it goes: nothing is drawn any more
-  /// Blocks whose trees were so small in the last picture that they could be one: foliage/grove.h makes groves of their
-  /// sites, anywhere and any time. add_grove() is an upload; groves out of sight make room.
+  /// Blocks whose trees were so small in the last picture that they could be one: make_grove() (groves.h) makes groves
+  /// of their sites, anywhere and any time. add_grove() is an upload; groves out of sight make room.
   std::span<const GroveWanted> groves_wanted() const;
   std::shared_ptr<const std::vector<foliage::TreeSite>> sites() const;     ///< of all trees
   bool add_grove(const GroveWanted& wanted, const foliage::Grove& grove);  ///< false: no room

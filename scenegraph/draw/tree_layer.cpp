@@ -159,7 +159,7 @@ Drawn draw_trees(TreeLayerGpu& layer, const foliage::DrawPlantsOptions& options)
   Drawn drawn;
   if (layer.trees_in_view > 0) {
     draw_plants(layer.programs, layer.store, layer.extractor, options);
-    drawn = {2 * draw_far_trees(layer.far, options.samples), 3};
+    drawn = {2 * draw_far_trees(layer.far, options.samples, options.wind), 3};
   }
   layer.grove_points = draw_groves(layer.groves, options.focal_px, options.samples);
   return drawn;

@@ -131,8 +131,7 @@ class Trees {
     const TreeDetail far{.mosaics = true, .groves = true};
     draw(view, far);
     for (const GroveWanted& wanted : std::vector(layer_.groves.wanted))
-      add_grove(layer_.groves, wanted,
-                foliage::make_grove(plants_, sites_of(*layer_.sites, wanted.block), wanted.level));
+      add_grove(layer_.groves, wanted, make_grove(plants_, *layer_.sites, wanted));
     seen.far = draw(view, far);
     return seen;
   }

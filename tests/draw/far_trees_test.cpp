@@ -41,14 +41,28 @@ Scene make_row(int trees, double height_px) {
 }
 
 /// Trees alone, before black.
-Picture picture_of(Renderer& renderer, const Scene& scene, bool mosaics, double error_px = 1) {
+Picture picture_of(Renderer& renderer, const Scene& scene, bool mosaics, double error_px = 1, double wind = 0,
+                   double seconds = 0) {
   DrawOptions options;
   options.mosaics = mosaics;
   options.tree_error_px = error_px;
+  options.wind = wind;
+  options.seconds = seconds;
   options.layers = {.buildings = false, .surfaces = false, .trees = true, .cars = false, .sky = false, .fog = false};
   options.transparent = true;
   const culling::View view = look_in(scene.blocks[0], {0, 0, kHeight / 2}, {0, 1, 0}, 60, 1.5);
   return take_picture(renderer, kSize, scene, visible(scene, view, Structure::none), view, options);
+}
+
+/// Of the upper half of all that is light, pixels from the left.
+double middle_of_tops(const Picture& picture) {
+  double sum = 0, light = 0;
+  for (int y = 0; y < picture.height / 2; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const double here = std::pow(picture.at(x, y)[1] / 255.0, 2.2);
+      sum += here, light += here * x;
+    }
+  return light / sum;
 }
 
 double light_of(const Picture& picture) {
@@ -99,6 +113,28 @@ TEST_CASE("far trees: a crown is as opaque on the way to mosaics as before and a
       }
     CHECK(inside > 100);
     CHECK(bare <= inside / 50);  // where a picture's edge lies elsewhere
+  }
+  CHECK(log.messages().empty());
+}
+
+TEST_CASE("far trees: wind moves mosaics as it moves the trees that they take over from") {
+  const gl::HeadlessContext context;
+  gl::ErrorLog log;
+  constexpr double kError = 5;
+  std::vector<foliage::PreparedPlant> plants(kPlantSpecies);
+  plants[0] = prepare(grow_plant(foliage::builtin_species("oak"), 3), {.visibility_side = 0});
+  const Scene scene = make_row(1, 0.95 * kError * kAllMosaics);
+  Renderer renderer(scene, plants, sampled(4));
+  renderer.add_pack(0, make_far_pack(plants[0]));
+  const auto moved = [&](bool mosaics, double seconds) {
+    return middle_of_tops(picture_of(renderer, scene, mosaics, kError, 1, seconds)) -
+           middle_of_tops(picture_of(renderer, scene, mosaics, kError, 0, 0));
+  };
+  for (double seconds = 0; seconds < 8; seconds += 1.3) {
+    const double trees = moved(false, seconds), mosaics = moved(true, seconds);
+    CAPTURE(seconds, trees);
+    CHECK(std::abs(trees) > 0.15);
+    CHECK(std::abs(mosaics - trees) < 0.12);  // pixels: boughs move near ones besides
   }
   CHECK(log.messages().empty());
 }

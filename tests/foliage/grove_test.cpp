@@ -6,7 +6,9 @@
 #include <cstring>
 #include <map>
 
+#include "foliage/branch_points.h"
 #include "foliage/generate.h"
+#include "foliage/import/load_plant.h"
 #include "foliage/import/species.h"
 #include "foliage/leaf_scale.h"
 #include "foliage/prepare.h"
@@ -20,42 +22,45 @@ const std::vector<PreparedPlant>& plants() {
     std::vector<PreparedPlant> made;
     for (const char* name : {"oak", "conifer"})
       made.push_back(prepare(grow_plant(builtin_species(name), 3), {.visibility_side = 0}));
+    made.push_back(load_or_prepare({MANZANA_PLANTS "/grass.json"}, {}, {.visibility_side = 0}, {}));
     return made;
   }();
   return all;
 }
 
-/// Far from each other, of their natural proportions.
-std::vector<TreeSite> make_sites(std::uint32_t n, std::uint32_t kinds) {
+constexpr std::uint32_t kOak = 0, kGrass = 2;
+
+/// Far from each other, of their natural proportions; `kinds` of them by turns.
+std::vector<TreeSite> make_sites(std::uint32_t n, std::uint32_t kinds, std::uint32_t first = kOak) {
   std::vector<TreeSite> sites;
   for (std::uint32_t i = 0; i < n; ++i) {
-    const PreparedPlant& plant = plants()[i % kinds];
+    const std::uint32_t kind = first + i % kinds;
+    const PreparedPlant& plant = plants()[kind];
     const float size = 0.5F + 0.01F * static_cast<float>(i % 7);
     sites.push_back(
-        make_site(plant, i % kinds, size * plant.height_m, size * plant.crown_radius_m, static_cast<float>(i), i));
+        make_site(plant, kind, size * plant.height_m, size * plant.crown_radius_m, static_cast<float>(i), i));
     sites.back().position = {1000.0F * static_cast<float>(i), 0, 0};
   }
   return sites;
 }
 
 /// Square metres that the points cover as squares that face the eye: each tree for itself.
-double covered(const Grove& grove, const GroveShown& shown, double up) {
-  constexpr double kPixel = 0.05;
+double covered(const Grove& grove, const GroveShown& shown, double up, double pixel_m) {
   const double level = std::sqrt(1 - up * up);
   std::map<std::uint32_t, std::map<std::pair<int, int>, bool>> pictures;
   for (std::uint32_t r = 0; r < shown.count; ++r) {
     const LeafPoint& point = grove.points[r];
     const double weight = std::clamp(static_cast<double>((shown.edge - static_cast<float>(r)) / shown.fade), 0.0, 1.0);
-    const double half = 0.5 * std::sqrt(static_cast<double>(point.area * shown.scale) * weight) / kPixel;
+    const double half = 0.5 * std::sqrt(static_cast<double>(point.area * shown.scale) * weight) / pixel_m;
     const Vec3d p(point.position);
-    const double x = p.x / kPixel, y = (-up * p.y + level * p.z) / kPixel;
+    const double x = p.x / pixel_m, y = (-up * p.y + level * p.z) / pixel_m;
     auto& picture = pictures[point.tree];
     for (int j = static_cast<int>(std::ceil(y - half)); j < y + half; ++j)
       for (int i = static_cast<int>(std::ceil(x - half)); i < x + half; ++i) picture[{i, j}] = true;
   }
   std::size_t pixels = 0;
   for (const auto& [tree, picture] : pictures) pixels += picture.size();
-  return static_cast<double>(pixels) * kPixel * kPixel;
+  return static_cast<double>(pixels) * pixel_m * pixel_m;
 }
 
 }  // namespace
@@ -98,17 +103,19 @@ TEST_CASE("grove: fewer of its points have the mean place and colour of all") {
 }
 
 TEST_CASE("grove: however few of its points are shown they cover what its trees do from everywhere") {
-  const std::vector<TreeSite> sites = make_sites(60, 1);
+  const std::uint32_t kind = GENERATE(kOak, kGrass);
+  const std::vector<TreeSite> sites = make_sites(60, 1, kind);
   const Grove grove = make_grove(plants(), sites);
+  const double unit = static_cast<double>(plants()[kind].height_m / plants()[kOak].height_m);
   for (const double up : {0.0, 0.5, 1.0}) {
-    const double rise = up < 1 ? up / std::sqrt(1 - up * up) : 1e3;
+    const double rise = up < 1 ? up / std::sqrt(1 - up * up) : 10;
     double trees = 0;
     for (const TreeSite& site : sites)
-      trees += static_cast<double>(covered_m2(plants()[0], rise) * site.radius * site.radius);
-    for (const double error_m : {1.0, 2.0, 4.0}) {
+      trees += static_cast<double>(covered_m2(plants()[kind], rise) * site.radius * site.radius);
+    for (const double error_m : {unit, 2 * unit, 4 * unit}) {
       const GroveShown shown = shown_of(grove.rule, {error_m, up, 1, {}}, grove.rule.points);
-      CAPTURE(up, error_m, shown.count, grove.rule.points);
-      CHECK(covered(grove, shown, up) == Approx(trees).epsilon(0.05));
+      CAPTURE(kind, up, error_m, shown.count, grove.rule.points);
+      CHECK(covered(grove, shown, up, 0.05 * unit) == Approx(trees).epsilon(0.05));
     }
   }
 }
@@ -138,7 +145,41 @@ TEST_CASE("grove: from a level are as many points as any view asks for that take
   }
 }
 
-TEST_CASE("grove: plants without leaves and blocks without trees are no points") {
+TEST_CASE("grove: trees that are far higher than most of a block have a grove of their own") {
+  std::vector<TreeSite> sites = make_sites(21, 1, kGrass);
+  const std::vector<TreeSite> oaks = make_sites(4, 1);
+  sites.insert(sites.begin() + 7, oaks.begin(), oaks.end());
+  CHECK(grove_rows(plants(), sites, true) == std::vector<std::uint32_t>{7, 8, 9, 10});
+  CHECK(grove_rows(plants(), sites, false).size() == 21);
+  CHECK(grove_rows(plants(), oaks, true).empty());
+  CHECK(grove_rows(plants(), {}, false).empty());
+}
+
+TEST_CASE("grove: points of bare branches lie on them and share their area") {
+  const PreparedPlant& grass = plants()[kGrass];
+  REQUIRE(grass.leaves.empty());
+  const std::vector<LeafPoint> points = branch_points(grass, 256);
+  REQUIRE(points.size() == 256);
+  double area = 0, of_lines = 0;
+  for (const LineSegment& line : grass.lines)
+    of_lines += static_cast<double>((line.radius_a + line.radius_b) * glm::distance(line.a, line.b));
+  float farthest = 0;
+  for (const LeafPoint& point : points) {
+    area += static_cast<double>(point.area);
+    float nearest = 1e9F;
+    for (const LineSegment& line : grass.lines) {
+      const Vec3 along = line.b - line.a;
+      const float t = std::clamp(glm::dot(point.position - line.a, along) / glm::dot(along, along), 0.0F, 1.0F);
+      nearest = std::min(nearest, glm::distance(point.position, line.a + t * along));
+    }
+    farthest = std::max(farthest, nearest);
+  }
+  CHECK(farthest < 1e-5F);
+  CHECK(area == Approx(0.785398 * of_lines).epsilon(1e-4));
+  CHECK(branch_points(PreparedPlant(), 8).empty());
+}
+
+TEST_CASE("grove: plants of nothing and blocks without trees are no points") {
   const std::vector<PreparedPlant> bare(1);
   CHECK(make_grove(bare, {}).points.empty());
   TreeSite site{};

@@ -1,6 +1,6 @@
 // The soft shadow of a crown: a disc on the ground, a little away from the sun; within the crown's own radius, so that a
-// tree that is culled takes no visible shadow with it; lighter where the crown is sparse, none where it is too small to
-// see. The instance is the tree's.
+// tree that is culled takes no visible shadow with it; lighter where the crown is sparse, none where it is very sparse
+// or too small to see. The instance is the tree's.
 layout(std430, binding = 3) readonly buffer Plants { PlantHead plants[]; };
 layout(std430, binding = 9) readonly buffer Trees { TreeRecord trees[]; };
 
@@ -22,5 +22,5 @@ void main() {
   float dark = 0.6 * plants[tree.plant].density * exp2(-distance * frame.fog.x) * smoothstep(0.003, 0.008, seen);
   out_at = at;
   out_kind = vec2(dark, 0.0);
-  gl_Position = dark > 0.004 ? frame.view_projection * vec4(rel, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+  gl_Position = dark > 0.004 && plants[tree.plant].density >= kLeastShadow ? frame.view_projection * vec4(rel, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }
