@@ -85,7 +85,7 @@ using TreeLeeway = std::array<std::uint32_t, 8>;
 struct TreeLayer {
   LayerTable table;
   std::vector<TreeInstance> instances;  ///< a row a tree
-  std::vector<TreeLeeway> leeway;       ///< a row a tree, or none: not known yet (scenegraph/tree_sites.h)
+  Column<TreeLeeway> leeway;            ///< a row a tree, or none: not known yet (scenegraph/tree_sites.h)
   std::uint64_t leeway_of = 0;          ///< which plants it is of
 };
 

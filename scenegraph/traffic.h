@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "culling/volumes.h"
+#include "scenegraph/column.h"
 
 namespace manzana {
 
@@ -58,7 +59,7 @@ std::uint64_t phase_run(const Circuit& circuit, std::uint64_t tick);
 
 struct Traffic {
   std::vector<HalfStreet> halves;
-  std::vector<LanePoint> points;
+  Column<LanePoint> points;
   std::vector<MotionPiece> pieces;
   std::vector<Circuit> circuits;
   std::vector<std::uint64_t> offsets;       ///< a row a car: phase at time 0

@@ -60,9 +60,11 @@ std::span<const foliage::TreeSite> sites_of(std::span<const foliage::TreeSite> a
 }
 
 void keep_leeway(Scene& scene, std::span<const foliage::PreparedPlant> plants) {
-  scene.trees.leeway.clear();
+  std::vector<TreeLeeway> leeway;
   for (const foliage::TreeSite& site : tree_sites(scene, plants))
-    std::copy_n(site.leeway, TreeLeeway().size(), scene.trees.leeway.emplace_back().begin());
+    std::copy_n(site.leeway, TreeLeeway().size(), leeway.emplace_back().begin());
+  scene.trees.leeway = {};
+  scene.trees.leeway.own() = std::move(leeway);
   scene.trees.leeway_of = sizes_of(plants);
 }
 

@@ -83,8 +83,9 @@ class StreetMaker {
     half.first_point = static_cast<std::uint32_t>(out_.points.size());
     const Vec3d a = begin(side), b = end(side), c = begin(next(side));
     const double straight = glm::distance(a, b), all = straight + glm::distance(b, c);
-    out_.points.insert(out_.points.end(),
-                       {{a, 0, direction(side)}, {b, straight, direction(side)}, {c, all, direction(next(side))}});
+    out_.points.own().insert(
+        out_.points.own().end(),
+        {{a, 0, direction(side)}, {b, straight, direction(side)}, {c, all, direction(next(side))}});
     half.last_point = half.first_point + 3;
     half.first_piece = static_cast<std::uint32_t>(out_.pieces.size());
     half.last_piece = half.first_piece + 1;

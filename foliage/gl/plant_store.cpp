@@ -28,7 +28,11 @@ void append(std::vector<T>& all, const std::vector<T>& part) {
 template <class T>
 gl::Buffer upload_all(std::span<const PreparedPlant> plants,
                       std::initializer_list<std::vector<T> PreparedPlant::*> members) {
+  std::size_t size = 0;
+  for (const PreparedPlant& plant : plants)
+    for (const auto member : members) size += (plant.*member).size();
   std::vector<T> all;
+  all.reserve(size);
   for (const PreparedPlant& plant : plants)
     for (const auto member : members) append(all, plant.*member);
   return upload(all);

@@ -193,7 +193,7 @@ class Reader {
 
  private:
   void fill(auto& column, const auto& items) const { column.assign(items.begin(), items.end()); }
-  /// Meshes stay in the file.
+  /// What is large and looked at in parts stays in the file.
   template <class Item>
   void fill(Column<Item>& column, const std::span<const Item>& items) const {
     file_ ? void(column = Column<Item>(items, file_)) : column.own().assign(items.begin(), items.end());

@@ -1,7 +1,8 @@
 #pragma once
 /// A city that was imported before: FILE.manzana. Its columns lie in the file as they lie in memory, each with its
-/// checksum. The file is mapped: meshes stay in it, and come to memory piece by piece as drawing asks for them; the
-/// other columns are copied. What is left of an import is the time to read and check.
+/// checksum. The file is mapped: meshes, lanes and what neighbours hide of trees stay in it, and come to memory piece
+/// by piece as they are looked at; the other columns are copied. What is left of an import is the time to read and
+/// check.
 ///   write_baked("city.manzana", import_city("city.osm.pbf"));     // manzana-bake import
 ///   Imported city = import_city("city.manzana");                   // as any other
 /// For this machine's byte order, and this version alone: a file of another is refused, to be baked again. Whole or not

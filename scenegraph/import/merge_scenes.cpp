@@ -44,8 +44,9 @@ class Loosener {
       for (std::uint32_t object = run.first; object < run.last; ++object) take(b, object);
     }
     out_.traffic = scene_.traffic;
-    for (LanePoint& point : out_.traffic.points)
-      point.position = move_(point.position), point.forward = move_.turn * point.forward;
+    out_.traffic.points = {};
+    for (const LanePoint& point : scene_.traffic.points)
+      out_.traffic.points.own().push_back({move_(point.position), point.s, move_.turn * point.forward});
     out_.attributes = scene_.attributes;
     out_.attributes.row_of_object.clear();
     out_.attribution = scene_.attribution;
@@ -129,7 +130,7 @@ void join(Traffic& into, Traffic&& more, std::uint32_t blocks) {
     circuit.first_car += cars, circuit.last_car += cars;
   }
   const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-  append(into.halves, more.halves), append(into.points, more.points), append(into.pieces, more.pieces);
+  append(into.halves, more.halves), append(into.points.own(), more.points), append(into.pieces, more.pieces);
   append(into.circuits, more.circuits), append(into.offsets, more.offsets);
 }
 

@@ -90,20 +90,20 @@ class Writer {
     append_line(lane.line, 0);
     append_line(ride.way, 1);
     const std::vector<Vec3d>& onward = plan_.lanes[plan_.rides[ride.next].lane].line;
-    set_tangents(std::span(out_.points).subspan(first), direction(on_ground(onward[0]), on_ground(onward[1])));
+    set_tangents(std::span(out_.points.own()).subspan(first), direction(on_ground(onward[0]), on_ground(onward[1])));
   }
 
   /// Points from `first` on. Straight parts get points near their ends, so that headings are blended only there, and
   /// long ones more, because the ground is round.
   void append_line(const std::vector<Vec3d>& line, std::size_t first) {
-    if (first == 0) out_.points.push_back({on_ground(line[0]), 0, {}});
+    if (first == 0) out_.points.own().push_back({on_ground(line[0]), 0, {}});
     for (std::size_t i = 1; i < line.size(); ++i) append_straight(line[i - 1], line[i]);
   }
 
   void append_straight(const Vec3d& a, const Vec3d& b) {
-    const double length = glm::distance(Vec2d(a), Vec2d(b)), s = out_.points.back().s;
+    const double length = glm::distance(Vec2d(a), Vec2d(b)), s = out_.points.own().back().s;
     const auto add = [&](double along) {
-      out_.points.push_back({on_ground(glm::mix(a, b, along / length)), s + along, {}});
+      out_.points.own().push_back({on_ground(glm::mix(a, b, along / length)), s + along, {}});
     };
     if (length > 3 * kBlend) {
       const int parts =

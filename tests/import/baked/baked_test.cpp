@@ -100,7 +100,7 @@ TEST_CASE("baked: what neighbours hide is found again for the same plants alone"
     return std::memcmp(&a, &b, sizeof a) == 0;
   };
   CHECK(std::ranges::equal(tree_sites(back, plants), plain, same));
-  for (TreeLeeway& row : back.trees.leeway) row.fill(77);
+  for (TreeLeeway& row : back.trees.leeway.own()) row.fill(77);
   CHECK(tree_sites(back, plants)[0].leeway[0] == 77);
   for (foliage::PreparedPlant& plant : plants) plant.cover_m2 = 41;
   CHECK(tree_sites(back, plants)[0].leeway[0] != 77);
