@@ -47,10 +47,10 @@ std::uint32_t bits_of(double error2) {
 std::uint32_t row_of(std::uint32_t bits) { return (bits >> 21) - 380; }
 
 /// Linear between two rows of a plant.
-double cost_at(const CostTable& costs, std::size_t first_row, double error2) {
+Vec2d cost_at(const CostTable& costs, std::size_t first_row, double error2) {
   const std::uint32_t bits = bits_of(error2);
-  const float* row = &costs.vertices[first_row + row_of(bits)];
-  return static_cast<double>(std::lerp(row[0], row[1], static_cast<float>(bits & 0x1fffffU) * 0x1p-21F));
+  const Vec2* row = &costs.vertices[first_row + row_of(bits)];
+  return Vec2d(glm::mix(row[0], row[1], static_cast<float>(bits & 0x1fffffU) * 0x1p-21F));
 }
 
 /// A row's least error, squared; of the first row 0, since smaller ones are counted there.
@@ -63,14 +63,24 @@ std::size_t row_at(double error2) { return row_of(bits_of(error2)); }
 /// The least that the square of the nearest cell's error may be, over that of the tree.
 constexpr std::array<double, 5> kNearness{0, 0.2, 0.5, 0.75, 0.9};
 
-std::size_t nearness(const TreeSite& site, float distance2, float reach) {
+std::size_t nearness(float distance, float reach) {
   constexpr float kMoreReach = 1.01F;  // than floats can be wrong
-  const float distance = std::sqrt(distance2);
-  const float share = 1 - kMoreReach * reach * std::max(site.radius, site.height) / std::max(distance, 1e-3F);
+  const float share = 1 - kMoreReach * reach / std::max(distance, 1e-3F);
   const double share2 = share > 0 ? static_cast<double>(share * share) : 0;
   std::size_t i = kNearness.size() - 1;
   while (share2 < kNearness[i]) --i;
   return i;
+}
+
+/// Of a ball of cells: what each side leaves of it, as if there were no other.
+double share_in_view(const ViewSides& sides, const Vec3& middle, float radius, float cell) {
+  double share = 1;
+  for (const Vec4& side : sides) {
+    const float inside = glm::dot(Vec3(side), middle) + side.w + cell;
+    const auto t = static_cast<double>(std::clamp(0.5F + 0.5F * inside / std::max(radius, 1e-3F), 0.0F, 1.0F));
+    share *= t * t * (3 - 2 * t);
+  }
+  return share;
 }
 
 void sort_by_error(CostTable& costs, const PlantTable& table, const TreesSeen& seen) {
@@ -83,7 +93,10 @@ void sort_by_error(CostTable& costs, const PlantTable& table, const TreesSeen& s
       CostTable::Bin& bin = costs.bins[site.plant * glsl::kDetailSteps + row_at(error2)];
       bin.trees += 1;
       bin.error2 += error2;
-      bin.by_nearness[nearness(site, error.distance2, costs.lists.plants[site.plant].reach)] += 1;
+      const ListBounds::Plant& plant = costs.lists.plants[site.plant];
+      const float scale = std::max(site.radius, site.height), reach = scale * plant.reach;
+      bin.leaves += share_in_view(seen.sides, error.middle, reach, scale * plant.cell);
+      bin.by_nearness[nearness(glm::length(error.middle), reach)] += 1;
     }
   }
 }
@@ -99,7 +112,8 @@ void for_each_bin(const CostTable& costs, F&& f) {
 double total(const CostTable& costs, double times) {
   double sum = 0;
   for_each_bin(costs, [&](const CostTable::Bin& bin, std::size_t plant, std::size_t) {
-    sum += bin.trees * cost_at(costs, plant * glsl::kDetailSteps, bin.error2 / bin.trees * times * times);
+    sum += glm::dot(Vec2d(bin.leaves, bin.trees),
+                    cost_at(costs, plant * glsl::kDetailSteps, bin.error2 / bin.trees * times * times));
   });
   return sum;
 }
@@ -168,9 +182,8 @@ CostTable make_costs(const PlantTable& table) {
       const double seen = std::lerp(1.0, visible, static_cast<double>(d.hidden));
       const double leaves =
           quads * seen * static_cast<double>(d.share) * (1 - points) * (1 - static_cast<double>(d.to_lines));
-      costs.vertices.push_back(
-          static_cast<float>(4 * (leaves + branch_quads(table, plant, d) + leaf_line_quads(table, plant, d)) +
-                             static_cast<double>(d.points) * points));
+      costs.vertices.emplace_back(4 * leaves, 4 * (branch_quads(table, plant, d) + leaf_line_quads(table, plant, d)) +
+                                                  static_cast<double>(d.points) * points);
     }
   }
   costs.lists = make_list_bounds(table);

@@ -14,12 +14,13 @@ namespace manzana::foliage {
 
 /// What a tree takes: a row for each of a plant's details.
 struct CostTable {
-  std::vector<float> vertices;  ///< four a quad or line, one a point; as they are on average
-  ListBounds lists;             ///< as they are at most
+  std::vector<Vec2> vertices;  ///< of leaf quads, of all else: four a quad or line, one a point; as they are on average
+  ListBounds lists;            ///< as they are at most
 
   /// Trees in view whose errors share a row: how many, and the sum of their squared errors. Of the frame at hand.
   struct Bin {
     double trees = 0, error2 = 0;
+    double leaves = 0;                    ///< of how many trees the leaf quads are in view
     std::array<double, 5> by_nearness{};  ///< how many, by how much nearer than the tree its nearest cell is
   };
   std::vector<Bin> bins;

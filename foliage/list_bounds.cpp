@@ -104,6 +104,7 @@ ListBounds::Plant measure(const PlantTable& table, const PlantHead& plant) {
   for (std::uint32_t i = plant.first_cell; i < plant.first_cell + plant.cells; ++i) {
     const CellHead& cell = table.cells[i];
     bound.reach = std::max(bound.reach, glm::length(cell.centre - Vec3(0, 0, plant.middle)));
+    bound.cell += (cell.radius + cell.sway) / static_cast<float>(plant.cells);
     bound.leaves += cell.count;
     bound.groups += groups(cell.count, glsl::kQuadGroup);
   }

@@ -19,6 +19,7 @@ struct ListBounds {
   std::vector<double> quads;      ///< the part of leaves that points do not replace, likewise
   struct Plant {
     float reach = 0;  ///< how far from the crown's middle a cell's may be, metres
+    float cell = 0;   ///< mean radius of a cell, with its sway
     double cells = 0, leaves = 0, groups = 0;
   };
   std::vector<Plant> plants;

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "foliage/wind.h"
+
 namespace manzana::foliage {
 namespace {
 
@@ -51,12 +53,31 @@ void set_points(const PreparedPlant& plant, PlantHead& head) {
                           [](const PointLevel& l) { return glm::uvec4(l.points.first, l.points.size(), 0, 0); });
 }
 
+/// The greatest distance of a corner, by f(quad, corner), rounded up.
+template <class F>
+float farthest(const PreparedPlant& plant, const LeafCell& cell, F&& f) {
+  float most = 0;
+  for (std::uint32_t i = cell.quads.first; i < cell.quads.last; ++i)
+    for (const PlantQuad::Corner& corner : plant.leaves[i].corners)
+      most = std::max(most, f(plant.leaves[i], corner.position));
+  return most * 1.00001F;
+}
+
+float radius_of(const PreparedPlant& plant, const LeafCell& cell) {
+  return farthest(plant, cell, [&](const PlantQuad&, const Vec3& p) { return glm::distance(p, cell.centre); });
+}
+
+float leaf_of(const PreparedPlant& plant, const LeafCell& cell) {
+  return farthest(plant, cell, [](const PlantQuad& quad, const Vec3& p) { return glm::distance(p, quad.anchor); });
+}
+
 /// A plant's leaves stand behind its bark.
 void add_cells(const PreparedPlant& plant, PlantHead& head, std::vector<CellHead>& cells) {
   head.first_cell = size_of(cells);
   head.cells = size_of(plant.cells);
   for (const LeafCell& cell : plant.cells)
-    cells.push_back({cell.centre, size_of(plant.bark) + cell.quads.first, cell.quads.size(), 0, 0, 0});
+    cells.push_back({cell.centre, size_of(plant.bark) + cell.quads.first, cell.quads.size(), radius_of(plant, cell),
+                     leaf_of(plant, cell), static_cast<float>(kMostSway) * plant.height_m});
 }
 
 void add_visibility(const Visibility& visibility, PlantHead& head, std::vector<std::uint32_t>& views) {

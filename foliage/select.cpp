@@ -25,6 +25,7 @@ struct Twin {
   std::span<const Detail> details;
   std::span<const glm::uvec2> steps;
   std::span<const uint> views;
+  ViewSides view_sides;
   float error2_at_1m, heed_neighbours;
 #define precise
 #include "foliage/shaders/hash.glsl"
@@ -46,6 +47,7 @@ glsl::Twin twin_of(const PlantTable& table, const TreesSeen& seen) {
           table.details,
           table.steps,
           table.views,
+          seen.sides,
           error2_at_1m(seen.error_at_1m),
           seen.heed_neighbours ? 1.0F : 0.0F};
 }
@@ -68,12 +70,21 @@ TreeSite make_site(const PreparedPlant& plant, std::uint32_t index, float height
   return site;
 }
 
+ViewSides sides_of(const culling::FrustumD& frustum, const Vec3d& eye) {
+  ViewSides sides;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const culling::PlaneD& plane = frustum.planes[i];
+    sides[i] = Vec4(plane.normal, plane.offset + glm::dot(plane.normal, eye - frustum.eye));
+  }
+  return sides;
+}
+
 float error2_at_1m(double error_at_1m) { return static_cast<float>(error_at_1m * error_at_1m); }
 
 TreeError error_of_tree(const PlantTable& table, const TreesSeen& seen, std::uint32_t site) {
   glsl::Twin twin = twin_of(table, seen);
   const TreeRecord tree = twin.place_tree(site);
-  return {twin.tree_error2(tree), twin.squared(twin.middle_of(tree))};
+  return {twin.tree_error2(tree), twin.middle_of(tree)};
 }
 
 Detail detail_at(const PlantTable& table, std::uint32_t plant, float error2) {

@@ -5,9 +5,11 @@
 ///   table.details = make_details(plants, law);                      // foliage/detail.h
 ///   Selection chosen;
 ///   select(table, {sites, block_rows, runs, error_px / focal_px}, chosen);  // each frame
+#include <array>
 #include <span>
 #include <vector>
 
+#include "culling/frustum.h"
 #include "foliage/plant_table.h"
 
 namespace manzana::foliage {
@@ -23,6 +25,12 @@ struct Selection {
   std::vector<Item> items;
 };
 
+/// Planes: what is seen lies where dot(xyz, p) + w >= 0, relative to the eye. Cells beyond one are left out.
+using ViewSides = std::array<Vec4, glsl::kViewSides>;
+inline constexpr ViewSides kAllAround{Vec4{0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}};
+/// Of a frustum, as it is seen from an eye, which need not be its own (draw/camera.h).
+ViewSides sides_of(const culling::FrustumD& frustum, const Vec3d& eye);
+
 /// What is in view, and how exactly it is wanted.
 struct TreesSeen {
   std::span<const TreeSite> sites;
@@ -30,6 +38,7 @@ struct TreesSeen {
   std::span<const Run> runs;         ///< of sites
   double error_at_1m = 0.001;   ///< metres that may be wrong a metre away: error in pixels / focal length in pixels
   bool heed_neighbours = true;  ///< more may be wrong of what they hide: foliage/neighbours.h
+  ViewSides sides = kAllAround;
 };
 void select(const PlantTable& table, const TreesSeen& seen, Selection& selection);
 
@@ -39,9 +48,10 @@ Detail detail_at(const PlantTable& table, std::uint32_t plant, float error2);
 /// As the shader has it.
 float error2_at_1m(double error_at_1m);
 
-/// Squares of what may be wrong of a tree, and of how far away it is.
+/// The square of what may be wrong of a tree, and where its middle is, relative to the eye.
 struct TreeError {
-  float error2, distance2;
+  float error2;
+  Vec3 middle;
 };
 TreeError error_of_tree(const PlantTable& table, const TreesSeen& seen, std::uint32_t site);
 

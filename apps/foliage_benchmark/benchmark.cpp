@@ -98,16 +98,16 @@ void write_sheets(const Options& options, std::span<const foliage::PreparedPlant
                 contact_sheet(stage, i, kHeights, options.error_px));
 }
 
-/// Rows of this run, of plants as they are now; `stand_leaves`: of a stand of them.
+/// Rows of this run, of plants as they are now; `stand_bark`: of a stand of them, whose leaves are not all in view.
 apps::Record<ErrorRow> error_record(const Options& options, std::span<const foliage::PreparedPlant> plants,
-                                    std::uint64_t stand_leaves = 0) {
+                                    std::uint64_t stand_bark = 0) {
   const apps::RunFacts facts = apps::run_facts(mode_of(options));
   return {options.out / "runs.csv", error_columns(), [=](const ErrorRow& row) {
-            const auto whole = [&](std::uint64_t leaves) { return row.law != "full" || row.leaves == leaves; };
+            const bool full = row.law == "full";
             const auto same_plant = [&](const foliage::PreparedPlant& p) {
-              return p.name == row.plant && whole(p.leaves.size());
+              return p.name == row.plant && (!full || row.leaves == p.leaves.size());
             };
-            return same_run(row, facts) && ((is_stand(row.plant) && whole(stand_leaves)) ||
+            return same_run(row, facts) && ((is_stand(row.plant) && (!full || row.bark == stand_bark)) ||
                                             std::any_of(plants.begin(), plants.end(), same_plant));
           }};
 }
@@ -197,7 +197,7 @@ void measure_all(const Options& options, std::span<const foliage::PreparedPlant>
 void measure_trade(const Options& options, std::span<const foliage::PreparedPlant> plants) {
   TradePlan plan = trade_plan(options.quick);
   set_asked(options, plan.errors);
-  auto record = error_record(options, plants, stand_leaves(plants, plan));
+  auto record = error_record(options, plants, stand_bark(plants, plan));
   apps::ProgressBar bar(stderr);
   const auto rows = measure_trade(
       plants, plan, [&](double done) { bar.show("image errors", done); }, record);

@@ -234,6 +234,7 @@ void Stage::begin(std::span<const foliage::Run> runs, const Shot& shot, const Ho
   in_view_.buffer = trees_.name();
   in_view_.error_at_1m = how.error_px / shot.focal_px;
   in_view_.heed_neighbours = how.heed_neighbours;
+  in_view_.sides = foliage::sides_of(culling::make_frustum(shot.view), shot.view.eye);
   begin(shot);
 }
 

@@ -89,10 +89,13 @@ std::vector<foliage::TreeSite> make_stand(std::span<const PreparedPlant> plants,
   return make_forest(plants, plan.stand_trees, closed_spacing(plants), 5);
 }
 
-std::uint64_t stand_leaves(std::span<const PreparedPlant> plants, const TradePlan& plan) {
-  std::uint64_t leaves = 0;
-  for (const foliage::TreeSite& site : make_stand(plants, plan)) leaves += plants[site.plant].leaves.size();
-  return leaves;
+std::uint64_t stand_bark(std::span<const PreparedPlant> plants, const TradePlan& plan) {
+  std::uint64_t quads = 0;
+  for (const foliage::TreeSite& site : make_stand(plants, plan)) {
+    const PreparedPlant& plant = plants[site.plant];
+    quads += plant.branch_levels.empty() ? 0 : plant.branch_levels.front().quads.size();
+  }
+  return quads;
 }
 
 std::vector<Motif> stand_motifs(std::span<const PreparedPlant> plants, const TradePlan& plan) {

@@ -21,7 +21,7 @@ TradePlan trade_plan(bool quick);
 
 /// A closed stand from its edge, from inside and from above; `sites`: make_stand()'s.
 std::vector<foliage::TreeSite> make_stand(std::span<const foliage::PreparedPlant> plants, const TradePlan& plan);
-std::uint64_t stand_leaves(std::span<const foliage::PreparedPlant> plants, const TradePlan& plan);
+std::uint64_t stand_bark(std::span<const foliage::PreparedPlant> plants, const TradePlan& plan);  ///< quads, in full
 std::vector<Motif> stand_motifs(std::span<const foliage::PreparedPlant> plants, const TradePlan& plan);
 
 /// Plants and stands: all pictures of the plan.

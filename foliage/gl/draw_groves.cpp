@@ -7,19 +7,20 @@
 namespace manzana::foliage {
 namespace {
 
-gl::Program make_program(const HostShaders& host) {
+gl::Program make_program(const HostShaders& host, int samples) {
   using namespace shaders;
-  gl::Pieces vertex{version_glsl, hash_glsl, grove_layout_glsl};
+  const std::string define = define_samples(samples);
+  gl::Pieces vertex{version_glsl, define, hash_glsl, samples_glsl, grove_layout_glsl};
   vertex.insert(vertex.end(), host.vertex.begin(), host.vertex.end());
   vertex.insert(vertex.end(), {packed_normal_glsl, flat_picture_glsl, grove_vert});
-  gl::Pieces pixels{version_glsl, hash_glsl, tree_share_glsl, cover_glsl, plant_share_glsl};
+  gl::Pieces pixels{version_glsl, define, hash_glsl, samples_glsl, tree_share_glsl, cover_glsl, plant_share_glsl};
   pixels.insert(pixels.end(), host.points.begin(), host.points.end());
   return gl::make_program("groves", vertex, pixels);
 }
 
 }  // namespace
 
-GroveDrawer::GroveDrawer(const HostShaders& host) : program_(make_program(host)), array_(gl::make_vertex_array()) {}
+GroveDrawer::GroveDrawer(HostShaders host) : host_(std::move(host)), array_(gl::make_vertex_array()) {}
 
 std::optional<GroveDrawer::Place> GroveDrawer::take(std::uint32_t points) {
   for (std::uint32_t page = 0; page < pages_.size(); ++page)
@@ -61,9 +62,10 @@ std::uint64_t GroveDrawer::draw(std::span<const Shown> shown, float focal_px, in
   std::size_t room = room_for(items_);
   for (const auto& list : groups_) room += room_for(list);
   stream_.begin(room);
+  if (samples_ != samples) program_ = make_program(host_, samples);
+  samples_ = samples;
   glUseProgram(program_.name());
   glUniform1f(0, focal_px);
-  glUniform1ui(1, static_cast<GLuint>(samples));
   glBindVertexArray(array_.name());
   glEnable(GL_PROGRAM_POINT_SIZE);
   bind_list(stream_, kItemsBinding, items_);

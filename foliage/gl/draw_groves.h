@@ -18,8 +18,8 @@ class GroveDrawer {
   static constexpr std::uint32_t kPage = 1U << 16;
   static constexpr std::size_t kPageBytes = kPage * sizeof(LeafPoint);
 
-  /// Of `host` its points. Throws std::runtime_error when a shader does not compile.
-  explicit GroveDrawer(const HostShaders& host);
+  /// Of `host` its points.
+  explicit GroveDrawer(HostShaders host);
 
   struct Place {
     std::uint32_t page, first, points;
@@ -37,6 +37,7 @@ class GroveDrawer {
     std::uint32_t share;  ///< 255ths that its trees show themselves
   };
   /// Into the bound framebuffer, with its depth; the blocks' rows are bound to kBlockRowsBinding. Returns points.
+  /// Throws std::runtime_error when a shader does not compile: the first time with so many samples.
   std::uint64_t draw(std::span<const Shown> shown, float focal_px, int samples);
 
  private:
@@ -46,6 +47,8 @@ class GroveDrawer {
   };
   std::optional<Place> take(std::uint32_t points);
 
+  HostShaders host_;
+  int samples_ = 0;  // of the program
   gl::Program program_;
   gl::VertexArray array_;
   std::deque<Page> pages_;

@@ -6,16 +6,31 @@
 namespace manzana::foliage {
 namespace {
 
-gl::Program make_program(std::string_view name, const HostShaders& host, const gl::Pieces& main,
+gl::Program make_program(std::string_view name, const HostShaders& host, int samples, const gl::Pieces& main,
                          const gl::Pieces& fragment) {
   using namespace shaders;
-  gl::Pieces vertex{version_glsl, select_layout_glsl, extract_glsl, hash_glsl};
+  const std::string define = define_samples(samples);
+  gl::Pieces vertex{version_glsl, define, select_layout_glsl, extract_glsl, hash_glsl, samples_glsl};
   vertex.insert(vertex.end(), host.vertex.begin(), host.vertex.end());
   vertex.insert(vertex.end(), {packed_normal_glsl, flat_picture_glsl, sway_glsl, plant_glsl});
   vertex.insert(vertex.end(), main.begin(), main.end());
-  gl::Pieces pixels{version_glsl, hash_glsl, tree_share_glsl, cover_glsl, plant_share_glsl};
+  gl::Pieces pixels{version_glsl, define, hash_glsl, samples_glsl, tree_share_glsl, cover_glsl, plant_share_glsl};
   pixels.insert(pixels.end(), fragment.begin(), fragment.end());
   return gl::make_program(name, vertex, pixels);
+}
+
+PlantPrograms::Programs make_programs(const HostShaders& host, int samples) {
+  using namespace shaders;
+  return {.quads = make_program("plant_quads", host, samples, {plant_quad_glsl, plant_quads_vert}, host.quads),
+          .lines = make_program("plant_lines", host, samples, {plant_lines_vert}, host.lines),
+          .points = make_program("plant_points", host, samples, {plant_points_vert}, host.points)};
+}
+
+const PlantPrograms::Programs& programs_for(PlantPrograms& programs, int samples) {
+  const auto at = programs.by_samples.find(samples);
+  return at != programs.by_samples.end()
+             ? at->second
+             : programs.by_samples.emplace(samples, make_programs(programs.host, samples)).first->second;
 }
 
 void draw_quads(GLintptr commands, std::uint32_t draws) {
@@ -42,29 +57,26 @@ gl::Buffer make_quad_indices(std::uint32_t quads) {
   return gl::make_buffer(std::as_bytes(std::span(indices)));
 }
 
-PlantPrograms::PlantPrograms(const HostShaders& host)
-    : quads(make_program("plant_quads", host, {shaders::plant_quad_glsl, shaders::plant_quads_vert}, host.quads)),
-      lines(make_program("plant_lines", host, {shaders::plant_lines_vert}, host.lines)),
-      points(make_program("plant_points", host, {shaders::plant_points_vert}, host.points)),
-      indices(make_quad_indices(glsl::kQuadsOfDraw)) {
+std::string define_samples(int samples) { return "#define SAMPLES " + std::to_string(samples) + "u\n"; }
+
+PlantPrograms::PlantPrograms(HostShaders shaders)
+    : host(std::move(shaders)), indices(make_quad_indices(glsl::kQuadsOfDraw)) {
   array = gl::make_vertex_array(indices);
 }
 
-void draw_plants(const PlantPrograms& programs, const PlantStore& store, const Extractor& extractor,
+void draw_plants(PlantPrograms& programs, const PlantStore& store, const Extractor& extractor,
                  const DrawPlantsOptions& options) {
+  const auto& [quads, lines, points] = programs_for(programs, options.samples);
   const CommandPlaces at = command_places(extractor.capacity);
   glBindVertexArray(programs.array.name());
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, extractor.commands.name());
   glBindTextureUnit(0, store.images.name());
-  use(programs.quads, store.quads, options);
-  glUniform1ui(1, static_cast<GLuint>(options.samples));
+  use(quads, store.quads, options);
   draw_quads(at.quads, extractor.capacity.quad_draws);
-  use(programs.lines, store.lines, options);
-  glUniform1ui(1, static_cast<GLuint>(options.samples));
+  use(lines, store.lines, options);
   draw_quads(at.lines, extractor.capacity.line_draws);
   glEnable(GL_PROGRAM_POINT_SIZE);
-  use(programs.points, store.points, options);
-  glUniform1ui(1, static_cast<GLuint>(options.samples));
+  use(points, store.points, options);
   glDrawArraysIndirect(GL_POINTS, reinterpret_cast<const void*>(at.points));
   glDisable(GL_PROGRAM_POINT_SIZE);
 }

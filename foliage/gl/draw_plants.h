@@ -1,6 +1,8 @@
 #pragma once
 /// Draws what extraction chose: three draws, whatever the forest. Light and pictures are the host's: it supplies the
 /// pieces of GLSL that foliage/shaders/plant.glsl names.
+#include <map>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,17 +15,26 @@ namespace manzana::foliage {
 /// Without "#version".
 struct HostShaders {
   gl::Pieces vertex;                ///< clip_position, plant_light, plant_albedo
-  gl::Pieces quads, lines, points;  ///< fragment shaders for what plant_*.vert put out; the first two may call cover()
-                                    ///< of foliage/shaders/cover.glsl, which stands before them
+  gl::Pieces quads, lines, points;  ///< fragment shaders for what plant_*.vert put out, which call cover() of
+                                    ///< foliage/shaders/cover.glsl
   gl::Pieces mosaics;               ///< of packs (foliage/gl/draw_ldm.h): asks mosaic() of foliage/shaders/ldm_*.glsl
 };
 
 /// Of so many quads with corners 4 i to 4 i + 3.
 gl::Buffer make_quad_indices(std::uint32_t quads);
 
+/// What shaders of plants ask of the framebuffer: how many samples a pixel has.
+std::string define_samples(int samples);
+
+/// Made when they are first drawn with, for that many samples a pixel.
 struct PlantPrograms {
-  explicit PlantPrograms(const HostShaders& host);
-  gl::Program quads, lines, points;
+  explicit PlantPrograms(HostShaders shaders);
+
+  HostShaders host;
+  struct Programs {
+    gl::Program quads, lines, points;
+  };
+  std::map<int, Programs> by_samples;
   gl::VertexArray array;  ///< no attributes; the indices of quads
   gl::Buffer indices;
 };
@@ -38,7 +49,7 @@ struct DrawPlantsOptions {
 };
 
 /// After extract(), with its bindings in place.
-void draw_plants(const PlantPrograms& programs, const PlantStore& store, const Extractor& extractor,
+void draw_plants(PlantPrograms& programs, const PlantStore& store, const Extractor& extractor,
                  const DrawPlantsOptions& options);
 
 }  // namespace manzana::foliage

@@ -13,7 +13,7 @@ namespace {
 
 using glsl::Capacity;
 using glsl::Totals;
-static_assert(sizeof(Totals) == 176 && offsetof(Totals, missing) == offsetof(Totals, shown) + sizeof(Totals::shown));
+static_assert(sizeof(Totals) == 240 && offsetof(Totals, missing) == offsetof(Totals, shown) + sizeof(Totals::shown));
 
 constexpr GLintptr kCommandBytes = 5 * sizeof(GLuint);
 
@@ -117,6 +117,7 @@ void start(Extractor& e, const PlantStore& store, const TreesInView& view) {
   totals.heed_neighbours = view.heed_neighbours ? 1 : 0;
   totals.all_trees = view.trees;
   totals.capacity = e.capacity;
+  std::copy(view.sides.begin(), view.sides.end(), totals.view_sides);
   glNamedBufferSubData(e.totals.name(), 0, sizeof totals, &totals);
   bind(store);
   bind(e, view);

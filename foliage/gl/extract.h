@@ -34,8 +34,9 @@ struct TreesInView {
   GLuint buffer = 0;
   GLintptr offset = 0;
   std::uint32_t trees = 0;
-  double error_at_1m = 0.001;   ///< as TreesSeen has it
-  bool heed_neighbours = true;  ///< likewise
+  double error_at_1m = 0.001;    ///< as TreesSeen has it
+  bool heed_neighbours = true;   ///< likewise
+  ViewSides sides = kAllAround;  ///< likewise
 };
 
 /// All plants' sites, and room for what is extracted from them.

@@ -25,3 +25,4 @@ uint first_cell_item() { return totals.all_trees * kFixedItems + totals.cells_be
 
 #define error2_at_1m totals.error2_at_1m
 #define heed_neighbours totals.heed_neighbours
+#define view_sides totals.view_sides

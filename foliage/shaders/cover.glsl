@@ -1,23 +1,19 @@
-// For fragment shaders of plants: alpha as a share of the pixel's samples. Which ones is drawn anew for each primitive
-// and pixel, so that leaves behind each other add up, as they do not where equal alpha means equal samples.
-layout(location = 1) uniform uint samples;
-
+// For fragment shaders of plants: which samples of a pixel they cover.
 uint tree_samples();
 
-// [Jimenez 2014, "Next generation post processing in Call of Duty", interleaved gradient noise]
-float pixel_noise(uint hash) {
-  float grid = 52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)));
-  return fract(grid + float(hash & 0xffffu) * (1.0 / 65536.0));
+// Of samples_of() those that are the tree's own. Software pays for each "discard", so there is none where the mask does
+// as well.
+void cover(uint mask) {
+  mask &= tree_samples();
+  if (samples == 1u && mask == 0u) discard;
+  gl_SampleMask[0] = int(mask);
 }
 
-// Of the samples those that are the tree's own: tree_samples().
+// Drawn anew for each primitive and pixel.
+// [Jimenez 2014, "Next generation post processing in Call of Duty", interleaved gradient noise]
 void cover(float alpha, uint hash) {
-  float noise = pixel_noise(hash);
-  uint n = min(uint(alpha * float(samples) + noise), samples);
-  uint first = (hash >> 16u) % samples, mask = ((1u << n) - 1u) << first;
-  mask = (mask | (mask >> samples)) & ((1u << samples) - 1u) & tree_samples();
-  if (mask == 0u) discard;
-  if (samples > 1u) gl_SampleMask[0] = int(mask);
+  float grid = 52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)));
+  cover(samples_of(alpha, fract(grid + noise_of(hash)), hash));
 }
 
 // How far a picture of so many texels is from being seen sharply: 0 while its leaves are larger than a few pixels, 1

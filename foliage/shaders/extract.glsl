@@ -25,6 +25,7 @@ struct Totals {
   uvec4 groups_before;                // where the node's begin: bark, lines, points, leaves
   uvec4 per_cell, per_block, per_row;  // work groups for choose, the scan of cells, expand
   Capacity capacity;
+  vec4 view_sides[kViewSides];
   uvec4 shown;    // primitives of each kind, of all nodes
   uvec4 missing;  // what lists had no room for: cells; groups of quads, lines, points
 };

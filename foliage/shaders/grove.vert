@@ -10,8 +10,7 @@ layout(std430, binding = 16) readonly buffer GroveGroups { uvec2 groups[]; };
 layout(std430, binding = 17) readonly buffer Points { LeafPoint points[]; };
 
 layout(location = 0) out vec3 out_colour;
-layout(location = 1) flat out float out_alpha;
-layout(location = 2) flat out uint out_hash;
+layout(location = 1) flat out uint out_samples;
 layout(location = 7) flat out uvec2 out_share;
 
 void main() {
@@ -20,8 +19,7 @@ void main() {
   GroveItem item = items[group.x];
   uint rank = group.y + slot % kGroveGroup;
   out_colour = vec3(0.0);
-  out_alpha = 0.0;
-  out_hash = 0u;
+  out_samples = 0u;
   out_share = uvec2(0u);
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside of every picture
   gl_PointSize = 1.0;
@@ -33,8 +31,10 @@ void main() {
   gl_Position = clip_position(rel);
   float pixels = point.position_area.w * item.scale * facing_pixels(rel, depth_of(rel, gl_Position));
   pixels *= clamp((item.edge - float(rank)) / item.fade, 0.0, 1.0);
-  out_alpha = min(pixels, 1.0);  // less than a pixel is drawn as a part of one
-  out_hash = mixed(point.rest.w + rank);
+  // Less than a pixel is drawn as a part of one: the same samples of all pixels that it touches, so that it covers as
+  // many as it should wherever it lies.
+  uint hash = mixed(point.rest.w + rank);
+  out_samples = samples_of(min(pixels, 1.0), noise_of(hash), hash);
   out_share = uvec2(point.rest.w, item.share);
   vec3 n = normalize(vec3(dot(x.xyz, of_block), dot(y.xyz, of_block), dot(z.xyz, of_block))), light, air;
   bool leaf = (point.rest.x & kGroveLeaf) != 0u;

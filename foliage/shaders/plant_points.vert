@@ -6,8 +6,7 @@ struct LeafPoint {
 layout(std430, binding = 17) readonly buffer Points { LeafPoint points[]; };
 
 layout(location = 0) out vec3 out_colour;
-layout(location = 1) flat out float out_alpha;
-layout(location = 2) flat out uint out_hash;
+layout(location = 1) flat out uint out_samples;
 layout(location = 7) flat out uvec2 out_share;
 
 // By what the scales of a tree multiply areas, as they look from there: across times along its axis from a side, across
@@ -25,8 +24,7 @@ void main() {
   Item item = items[group.x];
   uint rank = group.y + slot % kPointGroup;
   out_colour = vec3(0.0);
-  out_alpha = 0.0;
-  out_hash = 0u;
+  out_samples = 0u;
   out_share = uvec2(0u);
   gl_Position = kNowhere;
   gl_PointSize = 1.0;
@@ -39,8 +37,10 @@ void main() {
   float area = point.position_area.w * item.scale * scaled_area(tree, rel);
   float pixels = area * facing_pixels(rel, depth_of(rel, gl_Position));
   pixels *= clamp((item.edge - float(rank)) / item.fade, 0.0, 1.0);
-  out_alpha = min(pixels, 1.0);  // less than a pixel is drawn as a part of one
-  out_hash = mixed(tree.hash + rank);
+  // Less than a pixel is drawn as a part of one: the same samples of all pixels that it touches, so that it covers as
+  // many as it should wherever it lies.
+  uint hash = mixed(tree.hash + rank);
+  out_samples = samples_of(min(pixels, 1.0), noise_of(hash), hash);
   vec3 light, air;
   plant_light(rel, turn_normal(tree, point.rest.x), uintBitsToFloat(point.rest.z), 1.0, tint_of(tree), light, air);
   vec3 srgb = vec3(point.rest.y & 255u, (point.rest.y >> 8u) & 255u, (point.rest.y >> 16u) & 255u) * (1.0 / 255.0);

@@ -2,6 +2,7 @@
 // arrays, as C++ (foliage/select.cpp): both give the same bits, since only operations are used that IEEE 754 rounds
 // correctly, in an order that `precise` fixes: no division, no square root, no library function.
 //   sites, block_rows, plants, cells, steps, details, views: arrays
+//   view_sides: planes of what is in view
 //   error2_at_1m: the square of what may be wrong a metre away, in metres
 //   heed_neighbours: 1: more may be wrong of what neighbours hide; 0: not
 
@@ -248,11 +249,27 @@ float visible_share(TreeRecord tree, uint index, float hidden) {
   return between(1.0f, baked, min(outside, 1.0f) * hidden);
 }
 
+// Whether all of a cell is beyond a side of the picture, with leaves scaled so and in any wind; rounded to "no".
+bool beside_view(TreeRecord tree, CellHead cell, vec3 centre, float scale) {
+  TreeSite site = sites[tree.site & ((1u << kShareShift) - 1u)];
+  precise float most = max(site.radius, site.height) * (cell.radius + cell.leaf * max(scale - 1.0f, 0.0f) + cell.sway);
+  precise float reach = most * 1.0001f + (abs(centre.x) + abs(centre.y) + abs(centre.z)) * 4.0e-6f;
+  bool beside = false;
+  for (uint i = 0u; i < kViewSides; ++i) {
+    precise float inside =
+        view_sides[i].x * centre.x + view_sides[i].y * centre.y + view_sides[i].z * centre.z + view_sides[i].w + reach;
+    beside = beside || inside < 0.0f;
+  }
+  return beside;
+}
+
 Item cell_item(TreeRecord tree, uint record, uint index) {
   CellHead cell = cells[plants[tree.plant].first_cell + index];
   Item item = no_item(record, kLeaves);
-  float r2 = squared(placed(tree.row_x, tree.row_y, tree.row_z, cell.centre));
-  Detail at_tree = detail_at(tree.plant, tree_error2(tree)), d = detail_at(tree.plant, error2_from(tree, r2));
+  vec3 centre = placed(tree.row_x, tree.row_y, tree.row_z, cell.centre);
+  Detail at_tree = detail_at(tree.plant, tree_error2(tree)),
+         d = detail_at(tree.plant, error2_from(tree, squared(centre)));
+  if (beside_view(tree, cell, centre, d.scale)) return item;
   // Where points or lines take over, quads shrink away too.
   precise float left = (1.0f - at_tree.to_points) * (1.0f - at_tree.to_lines);
   precise float going = min(4.0f * (1.0f - left), 1.0f) * kLeafFade;

@@ -58,11 +58,16 @@ struct PlantHead {
 struct CellHead {
   vec3 centre;
   uint first, count;  // quads
-  uint spare0, spare1, spare2;
+  float radius;       // about the centre: of a ball that holds them
+  float leaf;         // how far a corner is from what its quad is scaled about, at most
+  float sway;         // by how much the wind may move it
 };
 
 // Of what is sparser, as grass and herbs are, no shadow would be seen.
 const float kLeastShadow = 0.08f;  // PlantHead::density
+
+// Sides of what is in view, relative to the eye: dot(xyz, p) + w >= 0 within. Plants have their own ends.
+const uint kViewSides = 4u;
 
 const uint kShareShift = 24u, kAllMosaics = 255u;
 

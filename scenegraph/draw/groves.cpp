@@ -76,7 +76,7 @@ foliage::GroveSight sight_of(const Groves& groves, std::uint32_t part, const Gro
   foliage::TreesSeen seen = view.seen;
   seen.sites = groves.stand_ins;
   const foliage::TreeError error = error_of_tree(view.table, seen, part);
-  const double distance = std::sqrt(static_cast<double>(error.distance2)), error_at_1m = view.seen.error_at_1m;
+  const double distance = glm::length(Vec3d(error.middle)), error_at_1m = view.seen.error_at_1m;
   const Vec3 eye = eye_of(view.seen.block_rows, part / 2) - groves.stand_ins[part].position;
   const Vec3d size(groves.parts[part].high - groves.parts[part].low);
   const double up = std::clamp(static_cast<double>(eye.z) / distance, -1.0, 1.0), across = std::sqrt(size.x * size.y);

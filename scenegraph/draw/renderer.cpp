@@ -283,6 +283,7 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
                             .mosaics = mosaics,
                             .groves = mosaics && options.groves && (sets.classes & kTrees) == kTrees,
                             .shadow_at_1m = kSmallestShadow * glm::length(camera.ray_up),
+                            .sides = foliage::sides_of(camera.frustum, camera.eye),
                             .by_node = options.trees_by_node};
     extract_trees(s.trees, scene.trees, sets.objects(), s.rows, detail, s.stream);
     counts.tree_error_px = s.trees.law == foliage::Law::full ? 0 : s.trees.error_at_1m * f_px;

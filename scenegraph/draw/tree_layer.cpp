@@ -147,6 +147,7 @@ void extract_trees(TreeLayerGpu& layer, const TreeLayer& trees, std::span<const 
   choose_detail(layer, rows, detail);
   view.error_at_1m = layer.error_at_1m;
   view.heed_neighbours = heeds_neighbours(layer.law);
+  view.sides = detail.sides;
   layer.trees_in_view = view.trees;
   if (view.trees == 0) return;
   if (detail.by_node)

@@ -48,7 +48,8 @@ struct TreeDetail {
   bool mosaics = false;        ///< trees that are small are shown by their species' packs, where there are some
   bool groves = false;         ///< blocks whose trees are smaller still are shown as groves, where there are some
   double shadow_at_1m = 0;     ///< TreesToSplit has it
-  bool by_node = false;        ///< each visible node's trees in dispatches of their own; else all at once
+  foliage::ViewSides sides = foliage::kAllAround;
+  bool by_node = false;  ///< each visible node's trees in dispatches of their own; else all at once
 };
 
 std::size_t stream_bytes(const TreeLayerGpu& layer);

@@ -131,11 +131,15 @@ TEST_CASE("the GPU chooses what its twin on the CPU does to the bit") {
   set_details(store, make_details(plants(), law));
   Selection expected;
   const double error_at_1m = error_px / 700;
-  select(store.table, {forest.sites, forest.rows, forest.runs, error_at_1m}, expected);
+  TreesSeen seen{forest.sites, forest.rows, forest.runs, error_at_1m};
+  const culling::View view = culling::look({0, 0, 0}, {1, .3, -.1}, {0, 0, 1}, 0.8, 1.5);
+  if (GENERATE(false, true)) seen.sides = sides_of(culling::make_frustum(view), view.eye);
+  select(store.table, seen, expected);
 
   Extractor extractor(forest.sites, {});
   Uploaded up = upload(forest);
   up.view.error_at_1m = error_at_1m;
+  up.view.sides = seen.sides;
   extract(extractor, store, up.view);
   REQUIRE(up.view.trees == expected.trees.size());
   CHECK(same_bits(read<TreeRecord>(extractor.trees, expected.trees.size()), expected.trees));
