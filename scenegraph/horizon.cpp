@@ -157,17 +157,35 @@ void Horizon::sweep(const Scene& scene, VisibleSets& sets, const IsThere& there)
   put_in_order(sets.kept_objects);
 }
 
-/// Of a block that is not hidden as a whole, from near to far, those objects that are not.
+/// Of a block that is not hidden as a whole, from near to far, those objects that are not. All of a wood or a meadow
+/// before which no wall stands.
 void Horizon::keep_objects(const Scene& scene, std::uint32_t block, VisibleSets& sets, const IsThere& there) {
   const auto runs = sets.answer.objects().first(sets.city_runs);
   const ObjectRun all = scene.tree.block_objects[block];
-  objects_.clear();
+  const LayerTable& buildings = scene.buildings.table;
+  bool ask = may_hide_part(boxes_[block]);
   auto run = std::partition_point(runs.begin(), runs.end(), [&](const ObjectRun& r) { return r.last <= all.first; });
-  for (; run != runs.end() && run->first < all.last; ++run)
-    for (std::uint32_t i = std::max(run->first, all.first); i < std::min(run->last, all.last); ++i) {
+  const auto within = [&](const ObjectRun& r) {
+    return ObjectRun{std::max(r.first, all.first), std::min(r.last, all.last)};
+  };
+  for (auto r = run; !ask && r != runs.end() && r->first < all.last; ++r) {
+    const ObjectRun rows = buildings.rows(within(*r));
+    ask = rows.first < rows.last;
+  }
+  objects_.clear();
+  for (; run != runs.end() && run->first < all.last; ++run) {
+    const ObjectRun part = within(*run);
+    if (!ask) append(sets.kept_objects, part);
+    for (std::uint32_t i = part.first; ask && i < part.last; ++i) {
       const culling::BoxD box = box_of(scene, i);
       objects_.push_back({plan_distance(Vec3(box.min - eye_), Vec3(box.max - eye_)), i, 0});
     }
+  }
+  keep_nearest_first(scene, block, sets, there);
+}
+
+/// Of objects_.
+void Horizon::keep_nearest_first(const Scene& scene, std::uint32_t block, VisibleSets& sets, const IsThere& there) {
   put_nearest_first(objects_);
   for (const Near& object : objects_) {
     const culling::BoxD box = box_of(scene, object.number);
@@ -184,25 +202,39 @@ void Horizon::hide_cars(VisibleSets& sets) const {
   });
 }
 
-bool Horizon::hidden(const culling::BoxD& box) const {
+/// All round where the eye is over, under or in the box.
+Horizon::Sight Horizon::sight_of(const culling::BoxD& box) const {
   const Vec3 min(box.min - eye_), max(box.max - eye_);
   const float nearest = plan_distance(min, max),
               farthest = glm::length(glm::max(glm::abs(Vec2(min)), glm::abs(Vec2(max))));
-  if (nearest <= 0) return false;
-  const float low = min.z / (min.z < 0 ? nearest : farthest), high = max.z / (max.z > 0 ? nearest : farthest);
+  constexpr float kSteep = std::numeric_limits<float>::infinity();
+  if (nearest <= 0) return {0, static_cast<std::int64_t>(kColumns) - 1, -kSteep, kSteep, 0};
   const float middle = turn_of(Vec2(min + max) / 2.0F);
   float right = 0, left = 0;
   for (const Vec2& corner : {Vec2(min), Vec2(max), Vec2(min.x, max.y), Vec2(max.x, min.y)}) {
     const float t = turned(middle, turn_of(corner));
     right = std::min(right, t), left = std::max(left, t);
   }
-  const auto first = static_cast<std::int64_t>(std::floor((middle + right) * kColumnsATurn - 0.01F)),
-             last = static_cast<std::int64_t>(std::floor((middle + left) * kColumnsATurn + 0.01F));
-  for (std::int64_t i = first; i <= last; ++i) {
+  return {static_cast<std::int64_t>(std::floor((middle + right) * kColumnsATurn - 0.01F)),
+          static_cast<std::int64_t>(std::floor((middle + left) * kColumnsATurn + 0.01F)),
+          min.z / (min.z < 0 ? nearest : farthest), max.z / (max.z > 0 ? nearest : farthest), nearest};
+}
+
+bool Horizon::hidden(const culling::BoxD& box) const {
+  const Sight sight = sight_of(box);
+  for (std::int64_t i = sight.first; i <= sight.last; ++i) {
     const Column& c = columns_[wrapped(i)];
-    if (!(c.high >= high && c.low <= low && c.farthest <= nearest)) return false;
+    if (!(c.high >= sight.high && c.low <= sight.low && c.farthest <= sight.nearest)) return false;
   }
   return true;
+}
+
+/// Something in it may be hidden.
+bool Horizon::may_hide_part(const culling::BoxD& box) const {
+  const Sight sight = sight_of(box);
+  for (std::int64_t i = sight.first; i <= sight.last; ++i)
+    if (is_band(columns_[wrapped(i)])) return true;
+  return false;
 }
 
 void Horizon::add_walls(const Scene& scene, std::uint32_t block, const ObjectRun& buildings) {

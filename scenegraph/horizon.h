@@ -56,9 +56,17 @@ class Horizon {
     float lean = 0;  ///< metres by which its top or bottom is off the plane, at most
   };
   void list_blocks(const VisibleSets& sets);
+  /// Of what a box covers: columns [first, last], tangents of elevation, metres in plan.
+  struct Sight {
+    std::int64_t first = 0, last = 0;
+    float low = 0, high = 0, nearest = 0;
+  };
+  Sight sight_of(const culling::BoxD& box) const;
   bool hidden(const culling::BoxD& box) const;
+  bool may_hide_part(const culling::BoxD& box) const;
   void sweep(const Scene& scene, VisibleSets& sets, const IsThere& there);
   void keep_objects(const Scene& scene, std::uint32_t block, VisibleSets& sets, const IsThere& there);
+  void keep_nearest_first(const Scene& scene, std::uint32_t block, VisibleSets& sets, const IsThere& there);
   bool is_cut(const Vec2& at, const UprightWall& wall, float up, float lean) const;
   void add_walls(const Scene& scene, std::uint32_t block, const culling::ObjectRun& buildings);
   void add_chain(const Vec3& offset, float lean);
