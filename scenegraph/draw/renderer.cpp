@@ -60,8 +60,7 @@ struct Renderer::State {
         meshes(scene),
         paints(make_paint_programs(!scene.photo.empty())),
         fading(meshes.buildings.has_levels() ? make_fading_programs() : PaintPrograms{}),
-        trees(scene, plants,
-              asked.tree_law == foliage::Law::full ? limits_for_all(scene, plants) : foliage::ExtractLimits{}),
+        trees(scene, plants, limits_for(scene, plants, asked.tree_law == foliage::Law::full)),
         cars(scene.traffic.cars()),
         car_shadows(make_shadow("shadow_car", shaders::shadow_car_vert)),
         sky(!scene.photo.empty()) {}

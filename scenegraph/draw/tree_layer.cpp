@@ -90,17 +90,28 @@ foliage::HostShaders plant_shaders() {
           .mosaics = {frame_layout_glsl, frame_glsl, light_glsl, plant_light_glsl, tree_mosaic_frag}};
 }
 
-foliage::ExtractLimits limits_for_all(const Scene& scene, std::span<const foliage::PreparedPlant> plants) {
-  constexpr std::uint64_t kMostQuads = 1U << 26;  // 128 MB of groups
-  std::uint64_t cells = 0, quads = 0;
+namespace {
+
+std::size_t coarsest_lines(const foliage::PreparedPlant& plant) {
+  return plant.line_levels.empty() ? plant.lines.size() : plant.line_levels.back().lines.size();
+}
+
+}  // namespace
+
+foliage::ExtractLimits limits_for(const Scene& scene, std::span<const foliage::PreparedPlant> plants, bool in_full) {
+  constexpr std::uint64_t kMostQuads = 1U << 26, kMostLines = 1U << 26;  // 128 MB of groups
+  std::uint64_t cells = 0, quads = 0, lines = 0;
   for (const TreeInstance& tree : scene.trees.instances) {
     if (tree.plant >= plants.size()) continue;  // which the layer does not accept
     const foliage::PreparedPlant& plant = plants[tree.plant];
+    if (plant.leaves.empty()) lines += coarsest_lines(plant) + foliage::glsl::kLineGroup - 1;
     cells += plant.cells.size();
     quads += plant.bark.size() + plant.leaves.size() +
              foliage::glsl::kQuadGroup * (plant.cells.size() + foliage::glsl::kFixedItems);
   }
   foliage::ExtractLimits limits;
+  limits.lines = static_cast<std::uint32_t>(std::min(limits.lines + lines, kMostLines));
+  if (!in_full) return limits;
   limits.cells = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(cells, limits.cells, foliage::kMostCells));
   limits.quads = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(quads, limits.quads, kMostQuads));
   return limits;

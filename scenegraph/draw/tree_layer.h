@@ -12,8 +12,9 @@ namespace manzana::draw {
 /// How plants are lit here; they read FrameData (camera.h) from uniform block 0.
 foliage::HostShaders plant_shaders();
 
-/// Room in the lists for all detail of all trees at once, as far as a device can have it.
-foliage::ExtractLimits limits_for_all(const Scene& scene, std::span<const foliage::PreparedPlant> plants);
+/// Room in the lists for what is left of all plants however much may be wrong: of those without leaves a few lines.
+/// `in_full`: for all detail of all of them at once, as far as a device can have it.
+foliage::ExtractLimits limits_for(const Scene& scene, std::span<const foliage::PreparedPlant> plants, bool in_full);
 
 struct TreeLayerGpu {
   /// `plants`: by TreeInstance::plant; those that no tree is may be empty. Throws std::invalid_argument for too few.

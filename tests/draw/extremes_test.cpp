@@ -109,7 +109,7 @@ class Trees {
   Trees(std::vector<PreparedPlant> plants, std::vector<TreeInstance> trees, const Vec3d& origin = Vec3d(0))
       : plants_(std::move(plants)),
         scene_(make_scene({block_of(std::move(trees), origin)})),
-        layer_(scene_, plants_, limits_for_all(scene_, plants_)) {}
+        layer_(scene_, plants_, limits_for(scene_, plants_, true)) {}
   ~Trees() { CHECK(errors_.messages().empty()); }
 
   /// What mosaics and groves need.

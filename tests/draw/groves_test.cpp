@@ -60,8 +60,7 @@ std::vector<foliage::PreparedPlant> meadow_plants() {
 }
 
 HandBlock make_meadow(std::span<const foliage::PreparedPlant> plants, std::initializer_list<std::uint16_t> kinds,
-                      int oaks) {
-  constexpr int kRows = 28;
+                      int oaks, int rows = 28) {
   constexpr float kSpacing = 0.35F;
   HandBlock block;
   const auto add = [&](std::uint16_t kind, const Vec2& at) {
@@ -72,9 +71,9 @@ HandBlock make_meadow(std::span<const foliage::PreparedPlant> plants, std::initi
     plant.yaw = static_cast<float>(block.trees.size());
     plant.plant = kind;
   };
-  for (int i = 0; i < kRows * kRows; ++i)
+  for (int i = 0; i < rows * rows; ++i)
     add(kinds.begin()[static_cast<std::size_t>(i) % kinds.size()],
-        kSpacing * (Vec2(i % kRows, i / kRows) - 0.5F * (kRows - 1)));
+        kSpacing * (Vec2(i % rows, i / rows) - 0.5F * static_cast<float>(rows - 1)));
   for (int i = 0; i < oaks; ++i) add(2, {3 * static_cast<float>(i) - 3, 3});
   return block;
 }
@@ -189,6 +188,23 @@ TEST_CASE("groves: grass need not wait for the oaks that stand on it") {
   look(renderer, scene, view, {true});
   add_groves(renderer, plants);
   CHECK(look(renderer, scene, view, {true}).points > 0);
+}
+
+TEST_CASE("groves: before they are there a large meadow errs little more than it is told to") {
+  const gl::HeadlessContext context;
+  const auto plants = meadow_plants();
+  const Scene scene = make_scene({make_meadow(plants, {0}, 2, 280)});  // 78 400 tufts
+  Renderer renderer(scene, plants, sampled(1));
+  renderer.resize(kSize);
+  const culling::View view = view_from(scene, {0.5, 0.2, 1}, 1, 1);
+  const VisibleSets sets = visible(scene, view, Structure::bqr);
+  std::uint32_t in_view = 0;
+  for (const culling::ObjectRun& run : sets.objects()) in_view += run.last - run.first;
+  REQUIRE(in_view > 70'000);
+  DrawOptions options;
+  options.tree_law = foliage::Law::ours;
+  options.tree_error_px = 1;
+  CHECK(renderer.draw(scene, sets, view, options).tree_error_px < 4);
 }
 
 TEST_CASE("groves: a wood covers as much on the way to its grove as before and after") {
