@@ -88,7 +88,8 @@ foliage::GroveSight sight_of(const Groves& groves, std::uint32_t part, const Gro
 
 std::uint32_t find_share(Groves& groves, std::uint32_t part, const GroveView& view,
                          const std::function<bool()>& mosaics) {
-  constexpr double kSoon = 1.1;  // wanted before it is needed
+  constexpr double kSoon = 1.1;            // wanted before it is needed
+  constexpr std::uint32_t kTooCoarse = 3;  // levels: points would be squares of several errors
   const Groves::Part& of = groves.parts[part];
   if (of.rule.points == 0) return 0;
   const double distance = static_cast<double>(distance_to(groves, part, view.seen.block_rows)),
@@ -101,6 +102,7 @@ std::uint32_t find_share(Groves& groves, std::uint32_t part, const GroveView& vi
   if (!held) return 0;
   groves.points_in_use += held->place.points;
   groves.last_used[part] = groves.frame;
+  if (held->level >= level + kTooCoarse) return 0;
   const std::uint32_t share = share_at(height);
   if (share == 0 || (share < Groves::kAll && !mosaics())) return 0;
   groves.shown.push_back(

@@ -207,6 +207,21 @@ TEST_CASE("groves: before they are there a large meadow errs little more than it
   CHECK(renderer.draw(scene, sets, view, options).tree_error_px < 4);
 }
 
+TEST_CASE("groves: one that was made for afar is not shown from near, where its points would be large squares") {
+  const gl::HeadlessContext context;
+  const auto plants = two_plants();
+  const Scene scene = make_scene({make_wood(9, 8)});
+  Renderer renderer(scene, plants, sampled(1));
+  const culling::View far = view_from(scene, {0, -1, 1}, 0.7), near = view_from(scene, {0, -1, 1}, 7);
+  look(renderer, scene, far, {true});
+  add_groves(renderer, plants);
+  CHECK(look(renderer, scene, far, {true}).points > 0);
+  CHECK(look(renderer, scene, near, {true}).points == look(renderer, scene, near, {false}).points);
+  look(renderer, scene, near, {true});
+  add_groves(renderer, plants);
+  CHECK(look(renderer, scene, near, {true}).points != look(renderer, scene, near, {false}).points);
+}
+
 TEST_CASE("groves: a wood covers as much on the way to its grove as before and after") {
   const gl::HeadlessContext context;
   const auto plants = two_plants();
