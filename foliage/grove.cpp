@@ -16,11 +16,11 @@ constexpr float kTall = 4;  // times the median height
 
 float height_of(const PreparedPlant& plant, const TreeSite& site) { return plant.height_m * site.height; }
 
-std::uint32_t points_of(const PreparedPlant& plant, const TreeSite& site) {
+std::uint32_t points_of(const PreparedPlant& plant, const TreeSite& site, const GroveOptions& options) {
   if (plant.grove.points.size() == 0) return 0;
   const double h = static_cast<double>(height_of(plant, site)),
                cover = static_cast<double>(plant.cover_m2 * site.radius * site.height);
-  const double wanted = kBeyond * kGrovePoints * cover * kNoGrove * kNoGrove / (h * h);
+  const double wanted = kBeyond * options.points * cover * options.none() * options.none() / (h * h);
   return static_cast<std::uint32_t>(
       std::clamp(std::ceil(wanted), 1.0, static_cast<double>(std::min(kMostPoints, plant.grove.points.size()))));
 }
@@ -51,9 +51,9 @@ struct Ranked {
 };
 
 /// All keys of a tree are spread over [0, 1), those of different trees out of step.
-void add_tree(const PreparedPlant& plant, const TreeSite& site, std::vector<Ranked>& all) {
+void add_tree(const PreparedPlant& plant, const TreeSite& site, const GroveOptions& options, std::vector<Ranked>& all) {
   const GroveFit& fit = plant.grove;
-  const std::vector<std::uint32_t> rows = chosen_points(fit, points_of(plant, site), site.hash >> 8);
+  const std::vector<std::uint32_t> rows = chosen_points(fit, points_of(plant, site, options), site.hash >> 8);
   double sum = 0;
   for (const std::uint32_t row : rows) sum += static_cast<double>(plant.points[row].area);
   const auto n = static_cast<double>(rows.size());
@@ -86,7 +86,7 @@ double cover_at(const GroveRule& rule, const GroveSight& sight) {
 /// What others hide in part is drawn with fewer points, but not as few as their size would allow: large ones would make
 /// the wood wider and higher.
 double meant_at(const GroveRule& rule, const GroveSight& sight) {
-  return kGrovePoints * cover_at(rule, sight) / (sight.error_m * sight.error_m * sight.times);
+  return rule.per_square * cover_at(rule, sight) / (sight.error_m * sight.error_m * sight.times);
 }
 
 /// Squares reach beyond the outline of a wood that they are spread over, by half their side, and hide less of each
@@ -104,10 +104,11 @@ double within_outline(const GroveSight& sight, double cover_m2, double square_m2
 struct Sum {
   double area = 0, light = 0, cover = 0;
 };
-Sum sum_of(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites, std::size_t view, double share) {
+Sum sum_of(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites, const GroveOptions& options,
+           std::size_t view, double share) {
   Sum sum;
   for (const TreeSite& site : sites) {
-    const std::uint32_t n = points_of(plants[site.plant], site);
+    const std::uint32_t n = points_of(plants[site.plant], site, options);
     if (n == 0) continue;
     const GroveFit& fit = plants[site.plant].grove;
     const double scale = outline_scale(plants[site.plant], site, view),
@@ -135,20 +136,22 @@ std::vector<std::uint32_t> grove_rows(std::span<const PreparedPlant> plants, std
   return rows;
 }
 
-GroveRule grove_rule(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites) {
-  GroveRule rule;
+GroveRule grove_rule(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites,
+                     const GroveOptions& options) {
+  GroveRule rule{.per_square = options.points};
   for (const TreeSite& site : sites) {
-    rule.points += points_of(plants[site.plant], site);
+    rule.points += points_of(plants[site.plant], site, options);
     rule.cover_m2 += plants[site.plant].cover_m2 * site.radius * site.height;
   }
   return rule;
 }
 
-Grove make_grove(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites, std::uint32_t level) {
-  Grove grove{{}, grove_rule(plants, sites)};
+Grove make_grove(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites, std::uint32_t level,
+                 const GroveOptions& options) {
+  Grove grove{{}, grove_rule(plants, sites, options)};
   GroveRule& rule = grove.rule;
   std::vector<Ranked> all;
-  for (const TreeSite& site : sites) add_tree(plants[site.plant], site, all);
+  for (const TreeSite& site : sites) add_tree(plants[site.plant], site, options, all);
   std::stable_sort(all.begin(), all.end(), [](const Ranked& a, const Ranked& b) { return a.key < b.key; });
   for (const Ranked& ranked : all) grove.points.push_back(ranked.point);
   const auto n = static_cast<double>(all.size());
@@ -156,7 +159,7 @@ Grove make_grove(std::span<const PreparedPlant> plants, std::span<const TreeSite
     const double meant = std::max(1.0, std::exp2(-static_cast<double>(i)) * n / kBeyond),
                  shown = shown_area(grove.points, meant);
     for (std::size_t view = 0; view < kGroveViews && shown > 0; ++view) {
-      const Sum sum = sum_of(plants, sites, view, meant / n);
+      const Sum sum = sum_of(plants, sites, options, view, meant / n);
       rule.worth[view][i] = static_cast<float>(sum.area / shown * meant / n);
       rule.light[view][i] = static_cast<float>(sum.light / sum.cover);
       rule.cover[view] = static_cast<float>(sum.cover) / rule.cover_m2;

@@ -21,15 +21,20 @@ namespace glsl {
 using glsl::GroveItem;
 static_assert(sizeof(GroveItem) == 32);
 
-/// Heights of trees in tolerated errors: a grove alone is drawn where all of its are lower than the first, none of it
-/// where one is higher than the second.
-inline constexpr double kAllGrove = 10, kNoGrove = 12.5;
-/// Points for each square of the error that trees cover.
-inline constexpr double kGrovePoints = 0.7;
+/// Where trees give way to their grove, and how fine it is.
+struct GroveOptions {
+  /// Height of trees in tolerated errors: a grove alone is drawn where all of its are lower, none of it where one is a
+  /// quarter higher; 0: nowhere.
+  double all = 10;
+  double none() const { return 1.25 * all; }
+  double points = 0.7;  ///< for each square of the error that trees cover
+  bool operator==(const GroveOptions&) const = default;
+};
 
 /// What says how many of its points are shown.
 struct GroveRule {
   std::uint32_t points = 0;                       ///< all of them
+  double per_square = GroveOptions{}.points;      ///< GroveOptions::points
   float cover_m2 = 0;                             ///< the sum of what its trees hide, from their sides
   std::array<float, kGroveViews> cover{1, 1, 1};  ///< from each view, over that
   /// By what areas are multiplied, so that points cover what trees do, times the share that is meant of all: where as
@@ -50,9 +55,11 @@ std::vector<std::uint32_t> grove_rows(std::span<const PreparedPlant> plants, std
                                       bool tall);
 
 /// What it will have, but for `worth`; cheap.
-GroveRule grove_rule(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites);
+GroveRule grove_rule(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites,
+                     const GroveOptions& options = {});
 /// `level`: half as many of its points as those of the level before; 0: all.
-Grove make_grove(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites, std::uint32_t level = 0);
+Grove make_grove(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites, std::uint32_t level = 0,
+                 const GroveOptions& options = {});
 inline std::uint32_t points_at(std::uint32_t all, std::uint32_t level) { return (all + (1U << level) - 1) >> level; }
 
 /// The first `count` points, their areas times `scale`, their light times `light`; those near `edge` shrink away, over

@@ -98,17 +98,19 @@ void write_sheets(const Options& options, std::span<const foliage::PreparedPlant
                 contact_sheet(stage, i, kHeights, options.error_px));
 }
 
-/// Rows of this run, of plants as they are now; `stand_bark`: of a stand of them, whose leaves are not all in view.
+/// Rows of this run, of plants as they are now; of stands and woods of them, whose leaves are not all in view, by the
+/// bark that they have in full.
 apps::Record<ErrorRow> error_record(const Options& options, std::span<const foliage::PreparedPlant> plants,
-                                    std::uint64_t stand_bark = 0) {
+                                    const std::vector<std::uint64_t>& bark = {}) {
   const apps::RunFacts facts = apps::run_facts(mode_of(options));
   return {options.out / "runs.csv", error_columns(), [=](const ErrorRow& row) {
             const bool full = row.law == "full";
             const auto same_plant = [&](const foliage::PreparedPlant& p) {
               return p.name == row.plant && (!full || row.leaves == p.leaves.size());
             };
-            return same_run(row, facts) && ((is_stand(row.plant) && (!full || row.bark == stand_bark)) ||
-                                            std::any_of(plants.begin(), plants.end(), same_plant));
+            return same_run(row, facts) &&
+                   ((is_stand(row.plant) && (!full || std::ranges::find(bark, row.bark) != bark.end())) ||
+                    std::any_of(plants.begin(), plants.end(), same_plant));
           }};
 }
 
@@ -194,19 +196,33 @@ void measure_all(const Options& options, std::span<const foliage::PreparedPlant>
                                                     popping + times.text + plots_md(drawn));
 }
 
+std::vector<StepRow> write_steps(const Options& options, std::span<const foliage::PreparedPlant> plants,
+                                 const TradePlan& plan) {
+  const apps::RunFacts facts = apps::run_facts(plan.errors.mode);
+  apps::Record<StepRow> record(options.out / "steps.csv", step_columns(),
+                               [&](const StepRow& row) { return same_run(row, facts); });
+  apps::ProgressBar bar(stderr);
+  return measure_trade_steps(
+      plants, plan, [&](double done) { bar.show("steps of an approach", done); }, record);
+}
+
 void measure_trade(const Options& options, std::span<const foliage::PreparedPlant> plants) {
   TradePlan plan = trade_plan(options.quick);
   set_asked(options, plan.errors);
-  auto record = error_record(options, plants, stand_bark(plants, plan));
+  if (options.views) plan.far.views = *options.views;
+  if (!options.heights.empty()) plan.step_heights = options.heights;
+  auto record = error_record(options, plants,
+                             {bark_of(plants, make_stand(plants, plan)), bark_of(plants, make_wood(plants, plan))});
   apps::ProgressBar bar(stderr);
   const auto rows = measure_trade(
       plants, plan, [&](double done) { bar.show("image errors", done); }, record);
+  const std::vector<StepRow> steps = write_steps(options, plants, plan);
   const Effort effort{options.quick, options.out};
   const Times times = measure_rows(effort, [&](Times& t) {
     add_trade_costs(effort, plants, plan, t);
     add_zhang(effort, plants, t);
   });
-  std::vector<TradePoint> points = trade_points(rows, times);
+  std::vector<TradePoint> points = trade_points(rows, steps, times);
   const std::vector<Profile> profiles = choose_profiles(points);
   files::write_whole(options.out / "runs.csv", apps::to_csv<ErrorRow>(rows, error_columns()));
   files::write_whole(options.out / "summary.csv", apps::to_csv<TradePoint>(points, trade_columns()));
@@ -214,6 +230,7 @@ void measure_trade(const Options& options, std::span<const foliage::PreparedPlan
   files::write_whole(options.out / "columns.md",
                      "# Columns\n\n## runs.csv: one picture each\n" + apps::explain(error_columns()) +
                          "\n## summary.csv and front.csv: means over the views\n" + apps::explain(trade_columns()) +
+                         "\n## steps.csv: an approach each\n" + apps::explain(step_columns()) +
                          "\n## times.csv: two ways timed in turn\n" + explain_times());
   const auto drawn = apps::draw_all(options.out, trade_plots(points));
   files::write_whole(options.out / "report.md", head_md(options, plants, times.dirty) +

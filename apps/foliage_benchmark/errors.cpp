@@ -14,9 +14,9 @@ using foliage::Law;
 
 constexpr std::array kElevationsDeg{2.0, 20.0, 45.0};
 
-Sight sight_of(const Extent& extent, std::uint32_t site, int view, int views, double height_px) {
+Sight sight_of(const Extent& extent, const foliage::Run& run, int view, int views, double height_px) {
   Sight sight;
-  sight.runs = {{site, site + 1}};
+  sight.runs = {run};
   sight.azimuth_deg = 360.0 * view / views;
   sight.elevation_deg = kElevationsDeg[static_cast<std::size_t>(view) % kElevationsDeg.size()];
   constexpr double kDegree = std::numbers::pi / 180;
@@ -26,8 +26,9 @@ Sight sight_of(const Extent& extent, std::uint32_t site, int view, int views, do
 
 class Measurement {
  public:
-  Measurement(Stage& stage, const ErrorPlan& plan, apps::Record<ErrorRow>* record, std::vector<ErrorRow>& rows)
-      : stage_(stage), plan_(plan), record_(record), rows_(rows) {}
+  Measurement(Stage& stage, Lazy<FarSide>* far, const ErrorPlan& plan, apps::Record<ErrorRow>* record,
+              std::vector<ErrorRow>& rows)
+      : stage_(stage), far_(far), plan_(plan), record_(record), rows_(rows) {}
 
   void add(const Motif& motif, const Sight& sight) {
     row_.plant = motif.name;
@@ -41,7 +42,9 @@ class Measurement {
   bool of_this_picture(const ErrorRow& r) const {
     const auto near = [](double a, double b) { return std::abs(a - b) < 1e-3; };
     const auto asked = [&](const Setting& setting) {
-      return r.law == name_of(setting.law) && near(r.error_px, setting.error_px);
+      ErrorRow way;
+      set_way(setting, way);
+      return same_way(way, r);
     };
     return r.plant == row_.plant && r.height_px == row_.height_px && near(r.azimuth_deg, row_.azimuth_deg) &&
            near(r.elevation_deg, row_.elevation_deg) &&
@@ -76,20 +79,22 @@ class Measurement {
 
   void compare(const Picture& reference, const Sight& sight, const Setting& setting, Sampling sampling,
                const char* name) {
-    stage_.set_law(setting.law);
-    const Picture picture = stage_.draw(sight.runs, sight.shot, {setting.error_px, sampling});
+    HowDrawn how = with_far(setting, sight, stage_, far_);
+    how.sampling = sampling;
+    const Picture picture = stage_.draw(sight.runs, sight.shot, how);
     ErrorRow row = row_;
     static_cast<apps::RunFacts&>(row) = apps::run_facts(plan_.mode);
-    row.law = name_of(setting.law);
+    set_way(setting, row);
     row.sampling = name;
-    row.error_px = setting.law == Law::full ? 0 : setting.error_px;
     set_counts(stage_.shown(), row);
+    if (how.far != nullptr) row.primitives += primitives_of(*how.far);
     set_errors(image_error(reference, picture), row);
     if (record_ != nullptr) record_->keep(row);
     rows_.push_back(std::move(row));
   }
 
   Stage& stage_;
+  Lazy<FarSide>* far_;
   const ErrorPlan& plan_;
   apps::Record<ErrorRow>* record_;
   std::vector<ErrorRow>& rows_;
@@ -137,9 +142,41 @@ std::string over_floors(const Verdict& v) {
 
 }  // namespace
 
+bool same_way(const ErrorRow& a, const ErrorRow& b) {
+  const auto near = [](double x, double y) { return std::abs(x - y) < 1e-3; };  // files have six digits
+  return a.law == b.law && near(a.error_px, b.error_px) && near(a.mosaics, b.mosaics) && near(a.groves, b.groves) &&
+         near(a.grove_points, b.grove_points);
+}
+
 bool same_kind(const ErrorRow& a, const ErrorRow& b) {
-  return a.plant == b.plant && a.height_px == b.height_px && a.law == b.law && a.sampling == b.sampling &&
-         a.error_px == b.error_px;
+  return a.plant == b.plant && a.height_px == b.height_px && a.sampling == b.sampling && same_way(a, b);
+}
+
+void set_way(const Setting& setting, ErrorRow& row) {
+  row.law = name_of(setting.law);
+  row.error_px = setting.law == Law::full ? 0 : setting.error_px;
+  row.mosaics = setting.far ? setting.far->mosaics : 0;
+  row.groves = setting.far ? setting.far->groves.all : 0;
+  row.grove_points = row.groves > 0 ? setting.far->groves.points : 0;
+}
+
+std::string way_name(const ErrorRow& row) {
+  using apps::to_cell;
+  std::string name = row.law + " " + to_cell(row.error_px) + " px";
+  if (row.mosaics > 0) name += ", mosaics under " + to_cell(row.mosaics);
+  if (row.groves > 0) name += ", groves under " + to_cell(row.groves) + " of " + to_cell(row.grove_points);
+  return name;
+}
+
+HowDrawn with_far(const Setting& setting, const Sight& sight, Stage& stage, Lazy<FarSide>* far) {
+  stage.set_law(setting.law);
+  HowDrawn how{.error_px = setting.error_px, .sampling = Sampling::product};
+  if (!setting.far) return how;
+  how.far = &**far;
+  use(**far, *setting.far);
+  do stage.extract_only(sight.runs, sight.shot, how);
+  while (make_wanted(**far));
+  return how;
 }
 
 void set_errors(const ImageError& error, ErrorRow& row) {
@@ -170,17 +207,20 @@ std::vector<foliage::TreeSite> sites_of(std::span<const foliage::PreparedPlant> 
   return sites;
 }
 
+Motif motif_of(const std::string& name, const Extent& extent, const RunOfView& runs, double height_px, int views) {
+  Motif motif{name, height_px, {}};
+  for (int view = 0; view < views; ++view)
+    motif.sights.push_back(sight_of(extent, runs(static_cast<std::uint32_t>(view)), view, views, height_px));
+  return motif;
+}
+
 std::vector<Motif> motifs_of(std::span<const foliage::PreparedPlant> plants, const ErrorPlan& plan) {
   std::vector<Motif> motifs;
   std::uint32_t first = 0;  // site
   for (const foliage::PreparedPlant& plant : plants) {
-    const Extent extent = extent_of(plant);
-    for (const double height_px : plan.heights) {
-      Motif motif{plant.name, height_px, {}};
-      for (int view = 0; view < plan.views; ++view)
-        motif.sights.push_back(sight_of(extent, first + static_cast<std::uint32_t>(view), view, plan.views, height_px));
-      motifs.push_back(std::move(motif));
-    }
+    const auto own = [first](std::uint32_t view) { return foliage::Run{first + view, first + view + 1}; };
+    for (const double height_px : plan.heights)
+      motifs.push_back(motif_of(plant.name, extent_of(plant), own, height_px, plan.views));
     first += static_cast<std::uint32_t>(plan.views);
   }
   return motifs;
@@ -193,9 +233,10 @@ std::vector<ErrorRow> measure_errors(std::span<const foliage::PreparedPlant> pla
 }
 
 std::vector<ErrorRow> measure_errors(Stage& stage, std::span<const Motif> motifs, const ErrorPlan& plan,
-                                     const std::function<void(double)>& progress, apps::Record<ErrorRow>* record) {
+                                     const std::function<void(double)>& progress, apps::Record<ErrorRow>* record,
+                                     Lazy<FarSide>* far) {
   std::vector<ErrorRow> rows;
-  Measurement measurement(stage, plan, record, rows);
+  Measurement measurement(stage, far, plan, record, rows);
   std::size_t all = 0, done = 0;
   for (const Motif& motif : motifs) all += motif.sights.size();
   for (const Motif& motif : motifs) {

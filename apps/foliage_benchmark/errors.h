@@ -10,14 +10,16 @@
 #include "apps/common/record.h"
 #include "apps/common/run_facts.h"
 #include "apps/foliage_benchmark/image_error.h"
+#include "apps/foliage_benchmark/lazy.h"
 #include "apps/foliage_benchmark/stage.h"
 
 namespace manzana::foliage_benchmark {
 
-/// A law of detail, and what it is told may be wrong.
+/// A law of detail, and what it is told may be wrong; small trees as mosaics and groves, or none.
 struct Setting {
   foliage::Law law;
   double error_px = 1;
+  std::optional<FarKnobs> far = {};
 };
 
 struct ErrorPlan {
@@ -39,6 +41,9 @@ struct Motif {
   double height_px = 0;
   std::vector<Sight> sights;
 };
+/// What stands round the origin, evenly from all round, at elevations in turn.
+using RunOfView = std::function<foliage::Run(std::uint32_t view)>;
+Motif motif_of(const std::string& name, const Extent& extent, const RunOfView& runs, double height_px, int views);
 /// Each plant alone. Of sites_of(plants, views): another copy from each side, since each has thresholds of its own.
 std::vector<Motif> motifs_of(std::span<const foliage::PreparedPlant> plants, const ErrorPlan& plan);
 
@@ -48,11 +53,15 @@ struct ErrorRow : apps::RunFacts {
   std::string law;       ///< full, ours, gumbau
   std::string sampling;  ///< fine, product, single; moved: fine, by half a pixel
   double height_px = 0, azimuth_deg = 0, elevation_deg = 0, error_px = 0;
+  double mosaics = 0, groves = 0, grove_points = 0;  ///< FarKnobs; 0: none
   std::uint64_t bark = 0, leaves = 0, lines = 0, points = 0, primitives = 0;
   double cover = 1, iou = 1, silhouette = 0, colour = 0, ssim = 1, gmsd = 0, psnr = 99;
 };
 
 void set_errors(const ImageError& error, ErrorRow& row);
+void set_way(const Setting& setting, ErrorRow& row);
+bool same_way(const ErrorRow& a, const ErrorRow& b);
+std::string way_name(const ErrorRow& row);  ///< "ours 1 px, mosaics under 24, groves under 10 of 0.7"
 void set_counts(const foliage::Shown& shown, ErrorRow& row);
 
 /// Of motifs_of(plants, plan). `progress` is called with [0, 1]. Pictures whose rows the record holds are not drawn
@@ -61,14 +70,17 @@ std::vector<ErrorRow> measure_errors(std::span<const foliage::PreparedPlant> pla
                                      const std::function<void(double)>& progress,
                                      apps::Record<ErrorRow>* record = nullptr);
 
+/// `far`: of the stage's sites, for settings that have some.
 std::vector<ErrorRow> measure_errors(Stage& stage, std::span<const Motif> motifs, const ErrorPlan& plan,
                                      const std::function<void(double)>& progress,
-                                     apps::Record<ErrorRow>* record = nullptr);
+                                     apps::Record<ErrorRow>* record = nullptr, Lazy<FarSide>* far = nullptr);
+/// With the knobs of the setting, and what they want for that sight made.
+HowDrawn with_far(const Setting& setting, const Sight& sight, Stage& stage, Lazy<FarSide>* far);
 
-/// Of one plant, height, law, error and sampling.
+/// Of one plant, height, way and sampling.
 bool same_kind(const ErrorRow& a, const ErrorRow& b);
 
-/// The means over the views of one plant, height, law and sampling, and which of them are over the floors.
+/// The means over the views of one plant, height, way and sampling, and which of them are over the floors.
 struct Verdict : ErrorRow {
   double floor_ssim = 1,
          floor_gmsd = 0;  ///< the worse of both floors: all detail moved, and sampled as the product does
@@ -76,7 +88,7 @@ struct Verdict : ErrorRow {
 };
 inline constexpr double kCoverWithin = 0.02, kColourWithin = 0.005;
 
-/// A verdict for each law and sampling, floors among them, in the order of the rows.
+/// A verdict for each way and sampling, floors among them, in the order of the rows.
 std::vector<Verdict> judge(std::span<const ErrorRow> rows);
 
 /// Of each plant so many copies, one after the other, at the origin, of natural size and of the same tint.

@@ -75,33 +75,21 @@ class Popping {
  private:
   Popped error_steps(double height_px) {
     begin(kError, height_px);
-    const Shot shot = shot_at(height_px);
+    const Shot shot = shot_of(extent_, kAzimuth, kElevation, height_px);
     for (double f = 1 / plan_.range; f < plan_.range; f *= kStep) add_frame(shot, plan_.error_px * f, {});
     return finished();
   }
 
   Popped camera_comes_nearer(double height_px) {
     begin(kCamera, height_px);
-    const Shot nearest = shot_at(height_px * plan_.range);
     Picture before;
-    for (double f = plan_.range; f > 1 / plan_.range; f /= kStep) {
-      const Shot shot = farther(nearest, f * plan_.range);
+    for (const Shot& shot : approach(extent_, height_px, plan_.range)) {
       stage_.set_law(Law::full);
       Picture reference = draw(shot, plan_.error_px);
       add_frame(shot, plan_.error_px, before.width > 0 ? step_between(before, reference) : Step{});
       before = std::move(reference);
     }
     return finished();
-  }
-
-  Shot shot_at(double height_px) const { return shot_of(extent_, kAzimuth, kElevation, height_px); }
-
-  /// In the same picture, so that frames can be compared.
-  Shot farther(const Shot& shot, double times) const {
-    Shot other = shot;
-    const Vec3d middle(0, 0, (extent_.low + extent_.high) / 2);
-    other.view.eye = middle + times * (shot.view.eye - middle);
-    return other;
   }
 
   void begin(const char* moving, double height_px) {
@@ -174,6 +162,17 @@ const std::vector<C> kOwnColumns{
     C{"ratio_mean", "", "faded over unfaded", &PopRow::ratio_mean}};
 
 }  // namespace
+
+std::vector<Shot> approach(const Extent& extent, double height_px, double range) {
+  const Shot nearest = shot_of(extent, kAzimuth, kElevation, height_px * range);
+  const Vec3d middle(0, 0, (extent.low + extent.high) / 2);
+  std::vector<Shot> shots;
+  for (double f = range; f > 1 / range; f /= kStep) {
+    shots.push_back(nearest);
+    shots.back().view.eye = middle + f * range * (nearest.view.eye - middle);
+  }
+  return shots;
+}
 
 std::vector<PopRow> measure_popping(std::span<const foliage::PreparedPlant> plants, const PopPlan& plan,
                                     const std::function<void(double)>& progress,

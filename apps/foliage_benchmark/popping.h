@@ -39,6 +39,10 @@ struct PopPlan {
   foliage::Detail (*change)(foliage::Detail) = nullptr;  ///< for tests: of what counts as faded
 };
 
+/// The camera comes nearer by 1 % a frame: what is there is so high in the middle of its way, and from 1 / `range` to
+/// `range` times that. Pictures have one size.
+std::vector<Shot> approach(const Extent& extent, double height_px, double range);
+
 /// `progress` is called with [0, 1], `show` with what is new. What the record holds is not measured again; what is new
 /// is kept there.
 std::vector<PopRow> measure_popping(std::span<const foliage::PreparedPlant> plants, const PopPlan& plan,

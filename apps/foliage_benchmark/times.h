@@ -5,12 +5,12 @@
 /// measured, and what an interrupted run has left is not measured again.
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "apps/common/gnuplot.h"
 #include "apps/foliage_benchmark/image_error.h"
+#include "apps/foliage_benchmark/lazy.h"
 #include "apps/foliage_benchmark/pair_times.h"
 #include "apps/foliage_benchmark/stage.h"
 
@@ -74,21 +74,5 @@ Times measure_times(const Effort& effort, std::span<const foliage::PreparedPlant
 
 /// The table of times.csv's columns, in Markdown.
 std::string explain_times();
-
-/// Made when it is first asked for.
-template <class T>
-class Lazy {
- public:
-  explicit Lazy(std::function<T()> make) : make_(std::move(make)) {}
-  T& operator*() {
-    if (!value_) value_.reset(new T(make_()));
-    return *value_;
-  }
-  T* operator->() { return &**this; }
-
- private:
-  std::function<T()> make_;
-  std::unique_ptr<T> value_;
-};
 
 }  // namespace manzana::foliage_benchmark

@@ -29,12 +29,12 @@ double half_side(std::span<const PreparedPlant> plants, const TradePlan& plan) {
   return closed_spacing(plants) * std::sqrt(plan.stand_trees) / 2;
 }
 
-/// Where the eye stands, in halves of the stand's side and heights of its trees, and how far it looks down.
-struct Place {
+/// Where the eye is, in halves of the stand's side and heights of its trees, and how far it looks down.
+struct Eye {
   const char* name;
   double away, up, down;
 };
-constexpr std::array<Place, 3> kPlaces{
+constexpr std::array<Eye, 3> kEyes{
     {{"stand, its edge", 2.2, 0.1, 0.0}, {"stand, inside", 0.2, 0.1, -0.2}, {"stand, above", 2.2, 5, 0.9}}};
 
 /// One side, with the trees of all.
@@ -44,39 +44,53 @@ std::vector<foliage::Run> all_runs(const Motif& motif) {
   return runs;
 }
 
-void add_costs(const Effort& effort, const std::vector<Motif>& motifs, bool all_sides, const TradePlan& plan,
-               Lazy<Stage>& stage, Times& times) {
+struct Place {
+  Lazy<Stage>& stage;
+  Lazy<FarSide>* far = nullptr;
+  bool all_sides = false;  ///< one side, with the trees of all
+};
+
+void add_costs(const Effort& effort, const std::vector<Motif>& motifs, std::span<const Setting> settings,
+               const Place& place, Times& times) {
   for (const Motif& motif : motifs)
-    for (const Setting& setting : plan.errors.settings)
-      times.add({.table = kTradeTable,
-                 .plant = motif.name,
-                 .way = cost_key(name_of(setting.law), setting.error_px, motif.height_px),
-                 .reference = "all detail"},
-                [&](TimeRow& row) {
-                  const Sight& sight = motif.sights.front();
-                  const auto runs = all_sides ? all_runs(motif) : sight.runs;
-                  const auto draw = [&](const Setting& w) {
-                    stage->set_law(w.law);
-                    stage->draw_only(runs, sight.shot, {w.error_px, Sampling::product});
-                  };
-                  row.error_px = setting.error_px;
-                  row.trees = trees_of(runs);
-                  set_times(time_pairs([&] { draw(setting); }, [&] { draw({Law::full}); }, effort.seconds() / 5, 1),
-                            row);
-                });
+    for (const Setting& setting : settings) {
+      ErrorRow way;
+      set_way(setting, way);
+      times.add(
+          {.table = kTradeTable, .plant = motif.name, .way = cost_key(way, motif.height_px), .reference = "all detail"},
+          [&](TimeRow& row) {
+            Sight sight = motif.sights.front();
+            if (place.all_sides) sight.runs = all_runs(motif);
+            Stage& stage = *place.stage;
+            const HowDrawn how = with_far(setting, sight, stage, place.far);
+            const auto draw = [&](Law law, const HowDrawn& h) {
+              stage.set_law(law);
+              stage.draw_only(sight.runs, sight.shot, h);
+            };
+            row.error_px = setting.error_px;
+            row.trees = trees_of(sight.runs);
+            set_times(time_pairs([&] { draw(setting.law, how); },
+                                 [&] { draw(Law::full, {.sampling = Sampling::product}); }, effort.seconds() / 5, 1),
+                      row);
+          });
+    }
 }
 
 }  // namespace
 
-std::string cost_key(std::string_view law, double error_px, double height_px) {
-  return std::string(law) + " " + apps::digits3(error_px) + " px, " + apps::digits3(height_px) + " px high";
+std::string cost_key(const ErrorRow& way, double height_px) {
+  return way_name(way) + ", " + apps::digits3(height_px) + " px high";
 }
 
 TradePlan trade_plan(bool quick) {
   TradePlan plan;
   plan.errors.settings = settings_of(quick);
   plan.errors.mode = quick ? "quick" : "full";
+  plan.far = wood_plan(quick);
   if (!quick) return plan;
+  plan.wood_trees = 16;
+  plan.step_heights = plan.wood_step_heights = {24};
+  plan.step_range = 1.2;
   plan.errors.heights = {96, 24};
   plan.errors.views = 3;
   plan.errors.product = false;
@@ -89,9 +103,9 @@ std::vector<foliage::TreeSite> make_stand(std::span<const PreparedPlant> plants,
   return make_forest(plants, plan.stand_trees, closed_spacing(plants), 5);
 }
 
-std::uint64_t stand_bark(std::span<const PreparedPlant> plants, const TradePlan& plan) {
+std::uint64_t bark_of(std::span<const PreparedPlant> plants, std::span<const foliage::TreeSite> sites) {
   std::uint64_t quads = 0;
-  for (const foliage::TreeSite& site : make_stand(plants, plan)) {
+  for (const foliage::TreeSite& site : sites) {
     const PreparedPlant& plant = plants[site.plant];
     quads += plant.branch_levels.empty() ? 0 : plant.branch_levels.front().quads.size();
   }
@@ -101,13 +115,13 @@ std::uint64_t stand_bark(std::span<const PreparedPlant> plants, const TradePlan&
 std::vector<Motif> stand_motifs(std::span<const PreparedPlant> plants, const TradePlan& plan) {
   const double half = half_side(plants, plan), height = static_cast<double>(plants.front().height_m);
   std::vector<Motif> motifs;
-  for (const Place& place : kPlaces) {
-    Motif motif{place.name, 0, {}};
+  for (const Eye& from : kEyes) {
+    Motif motif{from.name, 0, {}};
     for (int view = 0; view < plan.errors.views; ++view) {
       const double azimuth = 2 * std::numbers::pi * view / plan.errors.views;
       const Vec3d out(std::cos(azimuth), std::sin(azimuth), 0);
-      const Vec3d eye = out * (place.away * half) + Vec3d(0, 0, place.up * height);
-      Sight sight{screen_shot(eye, -out - Vec3d(0, 0, place.down), plan.stand_rows), {{0, plan.stand_trees}}, 0, 0};
+      const Vec3d eye = out * (from.away * half) + Vec3d(0, 0, from.up * height);
+      Sight sight{screen_shot(eye, -out - Vec3d(0, 0, from.down), plan.stand_rows), {{0, plan.stand_trees}}, 0, 0};
       sight.azimuth_deg = 360.0 * view / plan.errors.views;
       motif.height_px = std::round(sight.shot.focal_px * height / std::max(glm::length(eye), half));
       sight.shot.fine = fine_samples(motif.height_px, sight.shot.width);
@@ -120,23 +134,50 @@ std::vector<Motif> stand_motifs(std::span<const PreparedPlant> plants, const Tra
 
 std::vector<ErrorRow> measure_trade(std::span<const PreparedPlant> plants, const TradePlan& plan,
                                     const std::function<void(double)>& progress, apps::Record<ErrorRow>& record) {
-  constexpr double kShareOfPlants = 0.6;
-  auto rows = measure_errors(
-      plants, plan.errors, [&](double done) { progress(kShareOfPlants * done); }, &record);
-  Stage stage(plants, make_stand(plants, plan));
-  const auto more = measure_errors(
-      stage, stand_motifs(plants, plan), plan.errors,
-      [&](double done) { progress(kShareOfPlants + (1 - kShareOfPlants) * done); }, &record);
+  constexpr double kPlants = 0.5, kStands = 0.3, kWoods = 0.2;  // of the time
+  const auto part = [&](double first, double share) {
+    return [=, &progress](double done) { progress(first + share * done); };
+  };
+  auto rows = measure_errors(plants, plan.errors, part(0, kPlants), &record);
+  const auto add = [&](const std::vector<ErrorRow>& more) { rows.insert(rows.end(), more.begin(), more.end()); };
+  Stage stand(plants, make_stand(plants, plan)), wood(plants, make_wood(plants, plan));
+  add(measure_errors(stand, stand_motifs(plants, plan), plan.errors, part(kPlants, kStands), &record));
+  Lazy<FarSide> far([&] { return FarSide(plants, wood.sites()); });
+  add(measure_errors(wood, wood_motifs(plants, plan), plan.far, part(kPlants + kStands, kWoods), &record, &far));
+  return rows;
+}
+
+std::vector<StepRow> measure_trade_steps(std::span<const PreparedPlant> plants, const TradePlan& plan,
+                                         const std::function<void(double)>& progress, apps::Record<StepRow>& record) {
+  constexpr double kPlants = 0.8;  // of the time
+  std::vector<Approached> alone, woods;
+  for (std::uint32_t i = 0; i < plants.size(); ++i)
+    for (const double height_px : plan.step_heights)
+      alone.push_back({plants[i].name, extent_of(plants[i]), {i, i + 1}, height_px});
+  const auto sites = make_wood(plants, plan);
+  for (const double height_px : plan.wood_step_heights)
+    woods.push_back({kWood, extent_of_wood(plants, sites), {0, plan.wood_trees}, height_px});
+  Stage stage(plants, sites_of(plants)), wood(plants, sites);
+  Lazy<FarSide> far([&] { return FarSide(plants, wood.sites()); });
+  HowApproached how{plan.step_range, plan.errors.mode};
+  auto rows = measure_steps(
+      stage, alone, plan.errors.settings, how, [&](double done) { progress(kPlants * done); }, record);
+  how.far = &far;
+  const auto more = measure_steps(
+      wood, woods, plan.far.settings, how, [&](double done) { progress(kPlants + (1 - kPlants) * done); }, record);
   rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }
 
 void add_trade_costs(const Effort& effort, std::span<const PreparedPlant> plants, const TradePlan& plan, Times& times) {
   const auto copies = static_cast<std::uint32_t>(plan.errors.views);
-  Lazy<Stage> alone([&] { return Stage(plants, sites_of(plants, copies)); });
-  add_costs(effort, motifs_of(plants, plan.errors), true, plan, alone, times);
-  Lazy<Stage> stand([&] { return Stage(plants, make_stand(plants, plan)); });
-  add_costs(effort, stand_motifs(plants, plan), false, plan, stand, times);
+  Lazy<Stage> alone([&] { return Stage(plants, sites_of(plants, copies)); }),
+      stand([&] { return Stage(plants, make_stand(plants, plan)); }),
+      wood([&] { return Stage(plants, make_wood(plants, plan)); });
+  Lazy<FarSide> far([&] { return FarSide(plants, wood->sites()); });
+  add_costs(effort, motifs_of(plants, plan.errors), plan.errors.settings, {.stage = alone, .all_sides = true}, times);
+  add_costs(effort, stand_motifs(plants, plan), plan.errors.settings, {.stage = stand}, times);
+  add_costs(effort, wood_motifs(plants, plan), plan.far.settings, {.stage = wood, .far = &far}, times);
 }
 
 }  // namespace manzana::foliage_benchmark

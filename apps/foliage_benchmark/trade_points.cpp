@@ -35,6 +35,14 @@ void set_bounds(std::span<const ErrorRow> rows, TradePoint& point) {
   point.gmsd_within = bound(&ErrorRow::gmsd);
 }
 
+void set_pop(std::span<const StepRow> steps, TradePoint& point) {
+  for (const StepRow& row : steps) {
+    const bool of_it = row.plant == point.plant || (point.plant == kAllPlants && !is_stand(row.plant));
+    if (of_it && row.height_px == point.height_px && same_way(row, point))
+      point.pop = std::max(point.pop.value_or(0), pop_of(row));
+  }
+}
+
 void set_costs(std::span<const Verdict> verdicts, const Times& times, TradePoint& point) {
   for (const Verdict& full : verdicts)
     if (full.law == "full" && full.sampling == "product" && full.plant == point.plant &&
@@ -42,17 +50,17 @@ void set_costs(std::span<const Verdict> verdicts, const Times& times, TradePoint
       point.primitives_ratio =
           static_cast<double>(point.primitives) / std::max(1.0, static_cast<double>(full.primitives));
   for (const TimeRow& row : times.rows)
-    if (row.plant == point.plant && row.table == kTradeTable &&
-        row.way == cost_key(point.law, point.error_px, point.height_px))
+    if (row.plant == point.plant && row.table == kTradeTable && row.way == cost_key(point, point.height_px))
       point.ratio = row.ratio, point.ratio_lo = row.ratio_lo, point.ratio_hi = row.ratio_hi;
 }
 
-/// How far from perfect, and by how much that may be off.
-std::array<apps::Mean, 4> errors_of(const TradePoint& p) {
+/// How far from perfect, and by how much that may be off; what was not measured is perfect.
+std::array<apps::Mean, 5> errors_of(const TradePoint& p) {
   return {{{std::abs(p.cover - 1), p.cover_within},
            {p.colour, p.colour_within},
            {1 - p.ssim, p.ssim_within},
-           {p.gmsd, p.gmsd_within}}};
+           {p.gmsd, p.gmsd_within},
+           {p.pop.value_or(0), 0}}};
 }
 
 /// No worse in anything, and better in one by more than is in doubt.
@@ -67,11 +75,19 @@ bool beats(const TradePoint& a, const TradePoint& b) {
   return better;
 }
 
+/// Of mosaics and groves, as the walkthrough has them.
+bool has_usual_knobs(const ErrorRow& row) {
+  ErrorRow usual;
+  set_way({foliage::Law::ours, row.error_px, FarKnobs{}}, usual);
+  return same_way(row, usual);
+}
+
 }  // namespace
 
-bool is_stand(std::string_view name) { return name.starts_with("stand, "); }
+bool is_stand(std::string_view name) { return name.starts_with("stand, ") || name == kWood; }
 
-std::vector<TradePoint> trade_points(std::span<const ErrorRow> rows, const Times& times) {
+std::vector<TradePoint> trade_points(std::span<const ErrorRow> rows, std::span<const StepRow> steps,
+                                     const Times& times) {
   const std::vector<ErrorRow> all = with_all_plants(rows);
   const std::vector<Verdict> verdicts = judge(all);
   std::vector<TradePoint> points;
@@ -81,6 +97,7 @@ std::vector<TradePoint> trade_points(std::span<const ErrorRow> rows, const Times
     TradePoint& point = points.emplace_back();
     static_cast<Verdict&>(point) = verdict;
     set_bounds(all, point);
+    set_pop(steps, point);
     set_costs(verdicts, times, point);
   }
   for (TradePoint& point : points)
@@ -91,11 +108,12 @@ std::vector<TradePoint> trade_points(std::span<const ErrorRow> rows, const Times
 }
 
 double worst_over(const TradePoint& p, double allowed) {
-  const std::array limits{kCoverWithin, kColourWithin, 1 - p.floor_ssim, p.floor_gmsd};
+  const std::array limits{allowed * kCoverWithin, allowed * kColourWithin, allowed * (1 - p.floor_ssim),
+                          allowed * p.floor_gmsd, kMostPop};
   const auto errors = errors_of(p);
   double worst = 0;
   for (std::size_t i = 0; i < limits.size(); ++i)
-    worst = std::max(worst, (errors[i].mean + errors[i].within) / (allowed * limits[i]));
+    worst = std::max(worst, (errors[i].mean + errors[i].within) / limits[i]);
   return worst;
 }
 
@@ -126,7 +144,7 @@ std::vector<Profile> choose_profiles(std::vector<TradePoint>& points) {
       profile.law = key.first, profile.error_px = key.second, profile.primitives_ratio = ratio;
     }
     for (TradePoint& p : points)
-      if (p.law == profile.law && p.error_px == profile.error_px)
+      if (p.law == profile.law && p.error_px == profile.error_px && (p.plant != kWood || has_usual_knobs(p)))
         p.profiles += (p.profiles.empty() ? "" : " ") + profile.name;
   }
   return profiles;

@@ -9,7 +9,7 @@ namespace {
 
 // Pictures of a tree are of parallel light, and of its outside: whatever may be wrong, they show nothing of a tree that
 // is nearer than twice its height.
-constexpr double kMostError = 0.5 / kNoMosaics;
+double most_error(double all_mosaics) { return 0.5 / no_mosaics(all_mosaics); }
 
 constexpr std::uint32_t kShift = foliage::glsl::kShareShift, kAll = foliage::glsl::kAllMosaics;
 
@@ -25,11 +25,11 @@ float height2_in_errors(const foliage::PlantTable& table, const foliage::TreesSe
 }
 
 /// 255ths of it that mosaics show.
-std::uint32_t share_of(float height2) {
-  constexpr auto kLow = static_cast<float>(kAllMosaics), kHigh = static_cast<float>(kNoMosaics);
-  if (!(height2 < kHigh * kHigh)) return 0;
-  if (height2 <= kLow * kLow) return kAll;
-  return static_cast<std::uint32_t>(255 * (kHigh - std::sqrt(height2)) / (kHigh - kLow) + 0.5F);
+std::uint32_t share_of(float height2, double all_mosaics) {
+  const auto low = static_cast<float>(all_mosaics), high = static_cast<float>(no_mosaics(all_mosaics));
+  if (!(height2 < high * high)) return 0;
+  if (height2 <= low * low) return kAll;
+  return static_cast<std::uint32_t>(255 * (high - std::sqrt(height2)) / (high - low) + 0.5F);
 }
 
 void add_row(std::vector<foliage::Run>& runs, std::uint32_t row) {
@@ -75,7 +75,7 @@ class Splitter {
 
   /// Sites of one block.
   void add(const foliage::Run& sites) {
-    if (trees_.groves == nullptr || !trees_.mosaics) {
+    if (trees_.groves == nullptr) {
       for (std::uint32_t i = sites.first; i < sites.last; ++i) add_tree(i, kAll);
       return;
     }
@@ -119,7 +119,7 @@ class Splitter {
   /// `most`: 255ths that the grove leaves.
   void add_tree(std::uint32_t i, std::uint32_t most) {
     const foliage::TreeSite& site = seen_.sites[i];
-    std::uint32_t share = trees_.mosaics ? share_of(height2_in_errors(trees_.table, seen_, site)) : 0;
+    std::uint32_t share = share_of(height2_in_errors(trees_.table, seen_, site), trees_.all_mosaics);
     if (share > 0 && !has_pack(far_, site.plant)) share = 0;
     if (share < kAll) add_row(far_.near, i);
     if (share > 0) far_.trees.push_back({i, static_cast<float>(std::min(share, most)) / 255});
@@ -129,7 +129,7 @@ class Splitter {
   std::uint32_t share_of_grove(std::uint32_t part) {
     const auto mosaics = [&] {
       const foliage::Run& all = trees_.groves->sites[part / 2];
-      bool have = true;
+      bool have = trees_.all_mosaics >= trees_.groves->options.none();
       for (std::uint32_t i = all.first; i < all.last; ++i) have = has_pack(far_, seen_.sites[i].plant) && have;
       return have;
     };
@@ -156,7 +156,7 @@ std::uint32_t split_trees(FarTrees& far, const TreesToSplit& trees, std::uint32_
   far.wanted.clear();
   if (std::exchange(far.news, false)) far.drawer->show(far.packs);
   foliage::TreesSeen seen = trees.seen;
-  seen.error_at_1m = std::min(seen.error_at_1m, kMostError);
+  seen.error_at_1m = std::min(seen.error_at_1m, most_error(trees.all_mosaics));
   Splitter splitter(far, trees, seen, words);
   for (const foliage::Run& run : seen.runs)
     for (std::uint32_t first = run.first, last = first; first < run.last; first = last) {

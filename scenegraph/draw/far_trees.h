@@ -11,10 +11,12 @@
 
 namespace manzana::draw {
 
-/// Heights in tolerated errors (pixels, where one may be wrong). An oak of 16 or 24 is truer to all detail as 9 or 50
+/// Heights in tolerated errors (pixels, where one may be wrong): lower trees are mosaics alone, those a quarter higher
+/// not at all. An oak of 16 or 24 is truer to all detail as 9 or 50
 /// triangles of mosaics (SSIM 0.94 and 0.91) than as 470 or 1 550 primitives of our law (0.89 and 0.86); at 48 it is
 /// not.
-inline constexpr double kAllMosaics = 24, kNoMosaics = 30;
+inline constexpr double kAllMosaics = 24;
+constexpr double no_mosaics(double all_mosaics) { return 1.25 * all_mosaics; }
 
 struct FarTrees {
   static constexpr std::uint32_t kNone = ~0U;
@@ -38,9 +40,9 @@ std::size_t bytes_of_packs(const FarTrees& far);  ///< on the device
 struct TreesToSplit {
   const foliage::PlantTable& table;
   const foliage::TreesSeen& seen;
-  bool mosaics = true;       ///< else all are near
-  Groves* groves = nullptr;  ///< that some blocks may be shown as; begin_frame() has been called
-  double shadow_at_1m = 0;   ///< crowns that are smaller, a metre away, throw no shadow that could be seen
+  double all_mosaics = kAllMosaics;  ///< 0: all trees are near, but for those of groves
+  Groves* groves = nullptr;          ///< that some blocks may be shown as; begin_frame() has been called
+  double shadow_at_1m = 0;           ///< crowns that are smaller, a metre away, throw no shadow that could be seen
 };
 /// Writes rows of visible sites as foliage/gl/extract.h wants them, but for those that groves alone show and whose
 /// shadows are not seen; returns how many.

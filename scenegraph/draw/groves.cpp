@@ -12,7 +12,8 @@ using foliage::TreeSite;
 
 using Sites = std::vector<TreeSite>;
 
-Groves::Part part_of(std::span<const foliage::PreparedPlant> plants, const Sites& sites) {
+Groves::Part part_of(std::span<const foliage::PreparedPlant> plants, const Sites& sites,
+                     const foliage::GroveOptions& options) {
   Groves::Part part;
   part.low = Vec3(INFINITY), part.high = Vec3(-INFINITY);
   for (const TreeSite& site : sites) {
@@ -23,7 +24,7 @@ Groves::Part part_of(std::span<const foliage::PreparedPlant> plants, const Sites
     part.low = glm::min(part.low, site.position - Vec3(radius, radius, 0));
     part.high = glm::max(part.high, site.position + Vec3(radius, radius, height));
   }
-  if (sites.size() >= Groves::kFewTrees) part.rule = grove_rule(plants, sites);
+  if (sites.size() >= Groves::kFewTrees) part.rule = grove_rule(plants, sites, options);
   return part;
 }
 
@@ -55,10 +56,9 @@ TreeSite stand_in_of(std::span<const TreeSite> sites, const Groves::Part& part) 
 }
 
 /// 255ths; 0 where a tree is high.
-std::uint32_t share_at(double height_in_errors) {
-  using foliage::kAllGrove, foliage::kNoGrove;
-  return static_cast<std::uint32_t>(
-      Groves::kAll * std::clamp((kNoGrove - height_in_errors) / (kNoGrove - kAllGrove), 0.0, 1.0) + 0.5);
+std::uint32_t share_at(const foliage::GroveOptions& options, double height_in_errors) {
+  const double none = options.none(), share = (none - height_in_errors) / (none - options.all);
+  return static_cast<std::uint32_t>(Groves::kAll * std::clamp(share, 0.0, 1.0) + 0.5);
 }
 
 std::size_t room_in_points(const Groves& groves) {
@@ -94,7 +94,7 @@ std::uint32_t find_share(Groves& groves, std::uint32_t part, const GroveView& vi
   if (of.rule.points == 0) return 0;
   const double distance = static_cast<double>(distance_to(groves, part, view.seen.block_rows)),
                height = static_cast<double>(of.height_m) / (distance * view.seen.error_at_1m);
-  if (!(height < kSoon * foliage::kNoGrove)) return 0;
+  if (!(height < kSoon * groves.options.none())) return 0;
   const foliage::GroveSight sight = sight_of(groves, part, view);
   const std::uint32_t level = level_of(of.rule, {sight.error_m / kSoon, 0, sight.times, {}});
   auto& held = groves.held[part];
@@ -103,7 +103,7 @@ std::uint32_t find_share(Groves& groves, std::uint32_t part, const GroveView& vi
   groves.points_in_use += held->place.points;
   groves.last_used[part] = groves.frame;
   if (held->level >= level + kTooCoarse) return 0;
-  const std::uint32_t share = share_at(height);
+  const std::uint32_t share = share_at(groves.options, height);
   if (share == 0 || (share < Groves::kAll && !mosaics())) return 0;
   groves.shown.push_back(
       {part / 2, held->place, shown_of(held->rule, sight, held->place.points), Groves::kAll - share});
@@ -133,7 +133,7 @@ void add_part(Groves& groves, std::span<const foliage::PreparedPlant> plants, st
   if (rows.empty()) return;
   const Sites sites = sites_in(of_block, rows);
   const std::size_t part = std::size_t{2} * block + (tall ? 1 : 0);
-  groves.parts[part] = part_of(plants, sites);
+  groves.parts[part] = part_of(plants, sites, groves.options);
   groves.stand_ins[part] = stand_in_of(sites, groves.parts[part]);
   if (!tall) return;
   const auto first = static_cast<std::uint32_t>(groves.tall.size());
@@ -144,8 +144,9 @@ void add_part(Groves& groves, std::span<const foliage::PreparedPlant> plants, st
 }  // namespace
 
 Groves::Groves(std::span<const foliage::PreparedPlant> plants, std::span<const TreeSite> all, std::size_t all_blocks,
-               const foliage::HostShaders& host)
-    : sites(all_blocks),
+               const foliage::HostShaders& host, const foliage::GroveOptions& how)
+    : options(how),
+      sites(all_blocks),
       tall_runs(all_blocks),
       parts(2 * all_blocks),
       stand_ins(2 * all_blocks),
@@ -195,10 +196,10 @@ float distance_to(const Groves& groves, std::uint32_t part, std::span<const Vec4
 }
 
 foliage::Grove make_grove(std::span<const foliage::PreparedPlant> plants, std::span<const TreeSite> sites,
-                          const GroveWanted& wanted) {
+                          const GroveWanted& wanted, const foliage::GroveOptions& options) {
   const auto of_block = sites_of(sites, wanted.part / 2);
   return foliage::make_grove(plants, sites_in(of_block, grove_rows(plants, of_block, wanted.part % 2 == 1)),
-                             wanted.level);
+                             wanted.level, options);
 }
 
 bool add_grove(Groves& groves, const GroveWanted& wanted, const foliage::Grove& grove) {

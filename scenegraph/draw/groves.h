@@ -23,7 +23,7 @@ struct Groves {
 
   /// Of all trees of the scene, block after block.
   Groves(std::span<const foliage::PreparedPlant> plants, std::span<const foliage::TreeSite> sites, std::size_t blocks,
-         const foliage::HostShaders& host);
+         const foliage::HostShaders& host, const foliage::GroveOptions& options = {});
 
   struct Part {
     Vec3 low{0}, high{0};       ///< of its crowns, in the block's frame
@@ -36,6 +36,7 @@ struct Groves {
     foliage::GroveRule rule;
     std::uint32_t level = 0;  ///< of points that are there
   };
+  foliage::GroveOptions options;        ///< of all of them
   std::vector<foliage::Run> sites;      ///< of each block
   std::vector<std::uint32_t> tall;      ///< sites of tall parts
   std::vector<foliage::Run> tall_runs;  ///< of `tall`, of each block
@@ -72,7 +73,7 @@ float distance_to(const Groves& groves, std::uint32_t part, std::span<const Vec4
 
 /// `sites`: of all trees of the scene. For any thread.
 foliage::Grove make_grove(std::span<const foliage::PreparedPlant> plants, std::span<const foliage::TreeSite> sites,
-                          const GroveWanted& wanted);
+                          const GroveWanted& wanted, const foliage::GroveOptions& options = {});
 /// What was wanted; groves that are not in sight make room. False: there is none.
 bool add_grove(Groves& groves, const GroveWanted& wanted, const foliage::Grove& grove);
 

@@ -72,9 +72,9 @@ foliage::TreesInView write_rows(TreeLayerGpu& layer, std::span<const Vec4> rows,
   const auto out = stream.take<GLuint>(layer.sites->size());
   const foliage::TreesSeen seen{*layer.sites, rows, layer.runs, detail.error_at_1m};
   begin_frame(layer.groves);
-  Groves* groves = detail.groves ? &layer.groves : nullptr;
-  const std::uint32_t trees =
-      split_trees(layer.far, {layer.store.table, seen, detail.mosaics, groves, detail.shadow_at_1m}, out.items);
+  Groves* groves = detail.mosaics && detail.groves ? &layer.groves : nullptr;
+  const std::uint32_t trees = split_trees(
+      layer.far, {layer.store.table, seen, detail.mosaics ? kAllMosaics : 0, groves, detail.shadow_at_1m}, out.items);
   end_frame(layer.groves);
   return {.buffer = stream.name(), .offset = out.offset, .trees = trees};
 }

@@ -97,7 +97,7 @@ TEST_CASE("far trees: a crown is as opaque on the way to mosaics as before and a
   const auto plants = simple_plants();
   constexpr double kError = 4;
   const foliage::LdmPack pack = make_far_pack(plants[0]);
-  for (double height = 1.1 * kNoMosaics; height > 0.9 * kAllMosaics; height -= 1.5) {
+  for (double height = 1.1 * no_mosaics(kAllMosaics); height > 0.9 * kAllMosaics; height -= 1.5) {
     const Scene scene = make_row(1, kError * height);
     Renderer renderer(scene, plants, sampled(1));
     renderer.add_pack(0, pack);

@@ -142,7 +142,7 @@ TEST_CASE("groves: cover and shine as the trees do from three directions where t
   const Scene scene = make_scene({make_wood(9, 8)});
   Renderer renderer(scene, plants, sampled(4));
   for (const Vec3d& towards : {Vec3d(0, 0.001, 1), Vec3d(0, -1, 1), Vec3d(1, 0, 0.1)}) {
-    const culling::View view = view_from(scene, towards, 0.9 * foliage::kAllGrove);
+    const culling::View view = view_from(scene, towards, 0.9 * foliage::GroveOptions{}.all);
     const Seen trees = look(renderer, scene, view, kReference);
     look(renderer, scene, view, {true});
     add_groves(renderer, plants);
@@ -166,7 +166,7 @@ TEST_CASE("groves: grass and herbs cover and shine as the plants do from three d
     for (const std::uint16_t kind : kinds) height = std::max(height, static_cast<double>(plants[kind].height_m));
     Renderer renderer(scene, plants, sampled(4));
     for (const Vec3d& towards : {Vec3d(0, 0.001, 1), Vec3d(0, -1, 1), Vec3d(1, 0, 0.1)}) {
-      const culling::View view = view_from(scene, towards, 0.75 * foliage::kAllGrove, height);
+      const culling::View view = view_from(scene, towards, 0.75 * foliage::GroveOptions{}.all, height);
       const Seen full = look(renderer, scene, view, kReference);
       look(renderer, scene, view, {true});
       add_groves(renderer, plants);

@@ -120,6 +120,24 @@ TEST_CASE("grove: however few of its points are shown they cover what its trees 
   }
 }
 
+TEST_CASE("grove: for each square of the error it shows as many points as it is made for and covers the same") {
+  const std::vector<TreeSite> sites = make_sites(60, 1);
+  constexpr double kError = 2, kBeyond = 1.15;  // with those that fade
+  double trees = 0;
+  for (const TreeSite& site : sites)
+    trees += static_cast<double>(covered_m2(plants()[kOak], 0) * site.radius * site.radius);
+  for (const double points : {0.35, 0.7, 1.4}) {
+    const Grove grove = make_grove(plants(), sites, 0, {.points = points});
+    const GroveShown shown = shown_of(grove.rule, {kError, 0, 1, {}}, grove.rule.points);
+    const double squares = static_cast<double>(grove.rule.cover_m2 * grove.rule.cover[0]) / (kError * kError);
+    CAPTURE(points, squares);
+    CHECK(shown.count == Approx(kBeyond * points * squares).margin(1));
+    CHECK(covered(grove, shown, 0, 0.05) == Approx(trees).epsilon(0.05));
+  }
+  const auto all = [&](double height) { return grove_rule(plants(), sites, {.all = height, .points = 0.1}).points; };
+  CHECK(all(20) == Approx(4 * all(10)).epsilon(0.05));  // where it takes over trees cover four times as many squares
+}
+
 TEST_CASE("grove: a level is the first part of all and is the same each time") {
   const std::vector<TreeSite> sites = make_sites(12, 2);
   const Grove all = make_grove(plants(), sites), again = make_grove(plants(), sites),
