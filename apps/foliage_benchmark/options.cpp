@@ -30,8 +30,10 @@ Parsed parse_options(int argc, const char* const* argv) {
       ->check(CLI::Range(0.01, 100.0))
       ->capture_default_str();
   app.add_flag("--errors-only", options.errors_only, "image errors, without the tables of the sources");
-  app.add_flag("--trade", options.trade,
-               "speed for accuracy alone: every law over the error that it is told, and the profiles of quality");
+  app.add_flag(
+      "--trade", options.trade,
+      "speed for accuracy alone: every law over the error that it is told, mosaics and groves by their knobs,\n"
+      "how much each pops, and the profiles of quality");
   app.add_flag(
       "--forest", options.forest,
       "a forest of 4 000 trees along a path alone, with the settings of --quality balanced: its frames' times\n"
