@@ -34,9 +34,34 @@ struct BranchSteps {
   }
 };
 
-/// Of the levels that these details may choose, one more by chance. Where leaves' are shown, branches' are all.
-double most_lines(const PlantTable& table, const PlantHead& plant, const Detail& a, const Detail& b,
-                  std::uint32_t branches) {
+/// Two neighbouring levels of lines, of which the coarser shows the branches of the first ranks, the finer the others.
+class LineMixtures {
+ public:
+  LineMixtures(const PlantTable& table, const PlantHead& plant) : table_(table), plant_(plant) {
+    for (std::uint32_t fine = 0; fine + 1 < plant.line_levels; ++fine) {
+      std::vector<double> more(plant.branches + 1, 0.0);
+      for (std::uint32_t rank = plant.branches; rank-- > 0;) more[rank] = std::max(more[rank + 1], gain(fine, rank));
+      more_.push_back(std::move(more));
+    }
+  }
+  /// Of branches from `branch` on, wherever the coarser's end.
+  double most(std::uint32_t fine, std::uint32_t branch) const {
+    return lines(fine, branch) + (fine < more_.size() ? more_[fine][branch] - gain(fine, branch) : 0);
+  }
+
+ private:
+  double lines(std::uint32_t level, std::uint32_t branch) const { return lines_from(table_, plant_, level, branch); }
+  /// What the mixture has more than the finer level alone, but for a constant, where the coarser's end at this rank.
+  double gain(std::uint32_t fine, std::uint32_t rank) const { return lines(fine, rank) - lines(fine + 1, rank); }
+
+  const PlantTable& table_;
+  const PlantHead& plant_;
+  std::vector<std::vector<double>> more_;  ///< a level, a rank: the most gain from there on
+};
+
+/// Of the levels that these details may choose. Where leaves' lines are shown, branches' are all.
+double most_lines(const PlantTable& table, const PlantHead& plant, const LineMixtures& mixtures, const Detail& a,
+                  const Detail& b, std::uint32_t branch) {
   const auto [low, high] = std::minmax({a.line_level, b.line_level});
   const std::uint32_t coarsest = std::max(plant.line_levels, 1U) - 1;
   const auto share = static_cast<double>(std::max(a.lines, b.lines)),
@@ -44,23 +69,27 @@ double most_lines(const PlantTable& table, const PlantHead& plant, const Detail&
                       (1 - static_cast<double>(std::min(a.to_points, b.to_points)));
   double most = 0;
   for (auto l = std::min(static_cast<std::uint32_t>(low), coarsest);
-       l <= std::min(static_cast<std::uint32_t>(high) + 1, coarsest); ++l)
-    most = std::max(most, lines_from(table, plant, l, branches) * (turned > 0 ? 1 : share) +
-                              leaf_lines(table, plant, l) * turned * (1 + kSlack));
+       l <= std::min(static_cast<std::uint32_t>(high), coarsest); ++l) {
+    const double leaves = std::max(leaf_lines(table, plant, l), leaf_lines(table, plant, l + 1)) * turned;
+    most = std::max(most, mixtures.most(l, branch) * (turned > 0 || l < coarsest ? 1 : share) +
+                              (leaves > 0 ? leaves * (1 + kSlack) + 1 : 0));
+  }
   return most;
 }
 
 ListSizes branches_between(const PlantTable& table, const PlantHead& plant, const BranchSteps& branches,
-                           const Detail& a, const Detail& b) {
-  if (branches.steps.empty()) return {0, 0, groups(most_lines(table, plant, a, b, 0), glsl::kLineGroup), 0};
+                           const LineMixtures& mixtures, const Detail& a, const Detail& b) {
+  const auto lines = [&](std::uint32_t from) {
+    return groups(most_lines(table, plant, mixtures, a, b, from), glsl::kLineGroup);
+  };
+  if (branches.steps.empty()) return {0, 0, lines(0), 0};
   const auto [from, to] = std::minmax({branches.at(a.bark), branches.at(b.bark)});
   std::uint32_t quads = 0, meshes = ~0U;
   for (std::size_t i = from; i <= to; ++i) {
     quads = std::max(quads, branches.steps[i].x);
     meshes = std::min(meshes, branches.steps[i].y);
   }
-  const double lines = most_lines(table, plant, a, b, meshes);
-  return {0, groups(quads, glsl::kQuadGroup), groups(lines, glsl::kLineGroup), 0};
+  return {0, groups(quads, glsl::kQuadGroup), lines(meshes), 0};
 }
 
 /// How many of the coarser of two levels are shown at most: all, where the levels change in between.
@@ -84,9 +113,10 @@ ListSizes points_between(const PlantHead& plant, const Detail& a, const Detail& 
 
 void add_others(const PlantTable& table, const PlantHead& plant, const Detail* rows, ListSizes* out) {
   const BranchSteps branches(table, plant);
+  const LineMixtures mixtures(table, plant);
   for (std::size_t row = 0; row < glsl::kDetailSteps; ++row) {
     const Detail &a = rows[row], &b = rows[std::min<std::size_t>(row + 1, glsl::kDetailSteps - 1)];
-    out[row] = branches_between(table, plant, branches, a, b) + points_between(plant, a, b);
+    out[row] = branches_between(table, plant, branches, mixtures, a, b) + points_between(plant, a, b);
   }
 }
 

@@ -62,6 +62,7 @@ Detail unfaded(Detail detail) {
   detail.fade = 0;
   detail.to_points = std::round(detail.to_points);
   detail.point_level = std::floor(detail.point_level);
+  detail.line_level = std::floor(detail.line_level);
   detail.bark = std::floor(detail.bark);
   return detail;
 }

@@ -30,7 +30,8 @@ void main() {
   out_share = uvec2(0u);
   gl_Position = kNowhere;
   if (rank >= item.count) return;
-  LineSegment line = lines[item.first + rank];
+  uint index = rank + (rank < uint(item.edge) ? item.first : item.second);
+  LineSegment line = lines[index];
   TreeRecord tree = trees[item.record];
   out_share = share_of(tree);
   vec4 end = corner == 1u || corner == 2u ? line.b : line.a;
@@ -51,6 +52,6 @@ void main() {
   vec3 srgb = leaf ? vec3((line.rest.www >> uvec3(0u, 8u, 16u)) & 255u) * (1.0 / 255.0)
                    : textureLod(plants_images, vec3(0.5, 0.5, float(2u * tree.plant)), 8.0).rgb;
   out_light = vec4(light * plant_albedo(srgb), width / drawn);
-  out_hash = mixed(tree.hash + item.first + rank);
+  out_hash = mixed(tree.hash + index);
   gl_Position = clip_position(rel + side * (across * drawn));
 }

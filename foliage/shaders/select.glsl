@@ -126,12 +126,6 @@ uint cells_of(TreeRecord tree, Detail d) {
   return d.to_points < 1.0f && d.to_lines < 1.0f ? plants[tree.plant].cells : 0u;
 }
 
-// floor(n + a random part of 1), at most `most`: cells and trees share remainders fairly.
-uint rounded(float n, uint hash, uint most) {
-  precise float edge = n + fraction_of(hash);
-  return min(uint(max(edge, 0.0f)), most);
-}
-
 Item no_item(uint record, uint kind) {
   Item item;
   item.record = record;
@@ -141,7 +135,7 @@ Item no_item(uint record, uint kind) {
   item.edge = 0.0f;
   item.fade = 1.0f;
   item.scale = 1.0f;
-  item.spare = 0.0f;
+  item.second = 0u;
   return item;
 }
 
@@ -163,19 +157,44 @@ ItemPair pair_of(Item a, Item b) {
   return pair;
 }
 
-// Of the branches from this one on; then of leaves, as many of them as are neither quads nor points.
+// Of a level: where what is shown begins, what the next level shows instead ends, and all ends.
+struct LineRange {
+  uint first, next, last;
+};
+
+// Of the branches from this one on; then of leaves, as many of them as are neither quads nor points. On the way x to
+// the next level the first branches are in its lines already, and then the first leaves.
+LineRange line_range(uint plant, uint level, uint branch, float x, Detail d) {
+  uint branches = plants[plant].branches, begin = plants[plant].first_line_row, row = begin + level * (branches + 2u);
+  uint leaves = steps[row + branches].x;
+  bool both = branches > 0u && steps[begin + branches + 1u].x > steps[begin + branches].x;
+  LineRange range;
+  range.first = steps[row + branch].x;
+  precise float of_branches = float(leaves - range.first) * d.lines;
+  precise float of_leaves = float(steps[row + branches + 1u].x - leaves) * (d.to_lines * (1.0f - d.to_points));
+  precise float ranks = min(both ? 2.0f * x : x, 1.0f) * float(branches);
+  precise float turned = float(uint(of_leaves)) * max(both ? 2.0f * x - 1.0f : x, 0.0f);
+  uint rank = min(uint(ranks), branches);
+  range.last = of_leaves >= 1.0f ? leaves + uint(of_leaves) : range.first + uint(of_branches);
+  range.next = rank < branches ? steps[row + max(rank, branch)].x : leaves + uint(turned);
+  range.next = min(range.next, range.last);
+  return range;
+}
+
+// Each branch is in one of two neighbouring levels.
 Item line_item(TreeRecord tree, uint record, Detail d, uint branch) {
-  uint plant = tree.plant, branches = plants[plant].branches;
+  uint plant = tree.plant, levels = plants[plant].line_levels;
   Item item = no_item(record, kLines);
-  if (plants[plant].line_levels == 0u) return item;
-  uint level = rounded(d.line_level, mixed(tree.hash + 1u), plants[plant].line_levels - 1u);
-  uint row = plants[plant].first_line_row + level * (branches + 2u), leaves = steps[row + branches].x;
-  uint first = steps[row + branch].x, last = steps[row + branches + 1u].x;
-  precise float of_branches = float(leaves - first) * d.lines;
-  precise float of_leaves = float(last - leaves) * (d.to_lines * (1.0f - d.to_points));
-  uint shown = uint(of_leaves);
-  item.first = plants[plant].first_line + first;
-  item.count = shown > 0u ? leaves - first + shown : uint(of_branches);
+  if (levels == 0u) return item;
+  uint level = min(uint(d.line_level), levels - 1u);
+  precise float x = min(d.line_level - float(level), 1.0f);
+  LineRange fine = line_range(plant, level, branch, x, d);
+  LineRange coarse = line_range(plant, min(level + 1u, levels - 1u), branch, x, d);
+  uint of_coarse = coarse.next - coarse.first;
+  item.first = plants[plant].first_line + coarse.first;
+  item.second = plants[plant].first_line + fine.next - of_coarse;
+  item.count = of_coarse + fine.last - fine.next;
+  item.edge = float(of_coarse);
   return item;
 }
 

@@ -82,10 +82,10 @@ struct TreeRecord {
 // What is drawn of one thing: `count` primitives from `first` on.
 struct Item {
   uint record, kind, first, count;
-  float edge;   // leaf quads, points: rank where nothing is left of them
+  float edge;   // leaf quads, points: rank where nothing is left of them; lines: where the finer level's begin
   float fade;   // ranks over which they shrink
   float scale;  // of leaf quads their size, linear; of points their area
-  float spare;
+  uint second;  // of lines from rank `edge` on: in place of `first`
 };
 // A group is a handful of primitives of one item, so a list of groups is short where a list of primitives would not be.
 const uint kQuadGroup = 4u, kLineGroup = 4u, kPointGroup = 16u;
