@@ -23,7 +23,8 @@ double share_for_scale(const std::array<float, 17>& scale, double s) {
   return std::exp2(-8);
 }
 
-double gain_between(const std::array<float, 3>& quarters, double x) {
+/// Factors at a quarter, half and three quarters of the way, 1 at its ends.
+double on_the_way(const std::array<float, 3>& quarters, double x) {
   const std::array<float, 5> at{1, quarters[0], quarters[1], quarters[2], 1};
   const auto i = std::min<std::size_t>(static_cast<std::size_t>(4 * x), 3);
   return std::lerp(static_cast<double>(at[i]), static_cast<double>(at[i + 1]), 4 * x - static_cast<double>(i));
@@ -60,7 +61,7 @@ void set_points(Detail& d, const PreparedPlant& plant, double error_m) {
   d.point_level = static_cast<float>(static_cast<double>(level) + x);
   const double m = last ? 0 : x * size(level + 1),
                shown = worth(plant, levels[level], p - m) + (last ? 0 : worth(plant, levels[level + 1], m));
-  d.point_gain = static_cast<float>(gain_between(levels[level].between, x) / shown);
+  d.point_gain = static_cast<float>(on_the_way(levels[level].between, x) / shown);
 }
 
 /// By the size of leaves; never where there would be about as many points as there are quads.
@@ -122,9 +123,14 @@ Detail show_ours(const PreparedPlant& plant, const LawMeasures& m, double error_
   d.to_lines = static_cast<float>(share_of_lines(m, error_m));
   const double side_m = m.thin.length_m > 0 ? m.thin.length_m : m.quad_m;
   d.to_points = static_cast<float>(share_of_points(plant, d, side_m / error_m));
+  d.point_gain *= static_cast<float>(on_the_way(plant.turning, static_cast<double>(d.to_points)));
   d.bark = static_cast<float>(mesh_level(m, error_m));
   set_lines(d, plant, error_m);
   return d;
+}
+
+double error_of_points(const PreparedPlant& plant, double points) {
+  return std::sqrt(kPointsAPixel * static_cast<double>(plant.cover_m2) / points);
 }
 
 }  // namespace manzana::foliage

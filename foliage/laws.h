@@ -17,6 +17,7 @@ LawMeasures measure_for_laws(const PreparedPlant& plant);
 /// Everything.
 Detail show_all();
 Detail show_ours(const PreparedPlant& plant, const LawMeasures& m, double error_m);
+double error_of_points(const PreparedPlant& plant, double points);  ///< at which ours wants so many
 
 /// [Gumbau 2009] A share u of the leaves, scaled to keep the crown's cover, times what is seen of a cell.
 Detail show_pruned(const PreparedPlant& plant, double u);

@@ -10,6 +10,7 @@
 #include "foliage/leaf_points.h"
 #include "foliage/leaf_scale.h"
 #include "foliage/obb_cells.h"
+#include "foliage/point_fit.h"
 #include "foliage/point_shade.h"
 #include "foliage/random.h"
 
@@ -53,7 +54,7 @@ class LeafCloud {
     const LeafScaleFit fit = fit_leaf_scale(ready_, part_of(progress, 0.2, 0.7));
     ready_.leaf_scale = fit.scale;
     ready_.cover_m2 = fit.cover_m2;
-    fit_points(part_of(progress, 0.7, 0.9));
+    fit_points(ready_, part_of(progress, 0.7, 0.9));
     fit_point_shades(ready_, part_of(progress, 0.9, 1));
   }
 
@@ -140,17 +141,6 @@ class LeafCloud {
       sum += static_cast<double>(point.area);
     }
     ready_.point_levels.push_back({{first, static_cast<std::uint32_t>(ready_.points.size())}, static_cast<float>(sum)});
-  }
-
-  void fit_points(const Progress& progress) {
-    const std::vector<float> factors = fit_point_areas(ready_, progress);
-    for (std::size_t i = 0; i < factors.size(); ++i) {
-      PointLevel& level = ready_.point_levels[i];
-      level.area *= factors[i];
-      for (std::uint32_t p = level.points.first; p < level.points.last; ++p) ready_.points[p].area *= factors[i];
-    }
-    const auto between = fit_point_mixtures(ready_);
-    for (std::size_t i = 0; i < between.size(); ++i) ready_.point_levels[i].between = between[i];
   }
 
   /// Where most of the leaves' area is of thin ones.

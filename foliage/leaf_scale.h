@@ -26,14 +26,6 @@ LeafScaleFit fit_leaf_scale(const PreparedPlant& plant, const Progress& progress
 /// away.
 float covered_m2(const PreparedPlant& plant, double rise);
 
-/// For each level of points by which factor its points' areas cover, as squares, what the leaves cover. Half the
-/// leaves' area is right only for points far apart: at the finest level points of one leaf hide each other, and merged
-/// ones no longer hide each other as the leaves did. In [1/8, 8].
-std::vector<float> fit_point_areas(const PreparedPlant& plant, const Progress& progress = {});
-
-/// PointLevel::between for each level but the last, when its areas are fitted. In [1/2, 2].
-std::vector<std::array<float, 3>> fit_point_mixtures(const PreparedPlant& plant);
-
 /// At any u in (0, 1], between the fitted ones by the logarithm of u; 1 from u = 1 on, the last below the last.
 float leaf_scale_at(const std::array<float, kLeafScales>& scale, float u);
 

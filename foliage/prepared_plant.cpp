@@ -154,6 +154,8 @@ void check(const PreparedPlant& plant) {
   if (!(plant.leaf_area_m2 >= 0) || std::isinf(plant.leaf_area_m2)) fail("its leaf area is not finite");
   for (const float scale : plant.leaf_scale)
     if (!size(scale)) fail("its leaf scales are not finite or out of range");
+  for (const float factor : plant.turning)
+    if (!size(factor)) fail("its points' areas among leaf quads are not finite or out of range");
 }
 
 }  // namespace manzana::foliage

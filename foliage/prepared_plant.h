@@ -131,17 +131,19 @@ struct PreparedPlant {
                                            ///< coarse_lines, level by level
 
   std::vector<PlantQuad> leaves;
-  std::vector<LeafCell> cells;           ///< their runs are in order, apart, and cover all leaves
-  std::vector<std::uint32_t> shuffled;   ///< all leaves' quads, for ways that know no cells: the large ones, then the
-                                         ///< others, each in random order
-  std::uint32_t large_quads = 0;         ///< L, most often 0: the first so many of shuffled
-  std::vector<LeafPoint> points;         ///< of a plant without leaves: on its branches (foliage/branch_points.h)
-  std::uint32_t large_points = 0;        ///< M: points [0, M) are spread over all large quads
-  std::vector<PointLevel> point_levels;  ///< finest first; level 0: four points from M + 4 (i - L) on are of quad
-                                         ///< shuffled[i], i >= L
-  float cover_m2 = 0;                    ///< that the plant hides, seen from its sides, mean
-  float leaf_area_m2 = 0;                ///< of all leaf quads, one side, times alpha
-  std::array<float, 17> leaf_scale{};    ///< linear size at u = 2^(-i/2) of the leaves, fitted to coverage
+  std::vector<LeafCell> cells;            ///< their runs are in order, apart, and cover all leaves
+  std::vector<std::uint32_t> shuffled;    ///< all leaves' quads, for ways that know no cells: the large ones, then the
+                                          ///< others, each in random order
+  std::uint32_t large_quads = 0;          ///< L, most often 0: the first so many of shuffled
+  std::vector<LeafPoint> points;          ///< of a plant without leaves: on its branches (foliage/branch_points.h)
+  std::uint32_t large_points = 0;         ///< M: points [0, M) are spread over all large quads
+  std::vector<PointLevel> point_levels;   ///< finest first; level 0: four points from M + 4 (i - L) on are of quad
+                                          ///< shuffled[i], i >= L
+  float cover_m2 = 0;                     ///< that the plant hides, seen from its sides, mean
+  float leaf_area_m2 = 0;                 ///< of all leaf quads, one side, times alpha
+  std::array<float, 3> turning{1, 1, 1};  ///< what points' areas are multiplied by where they are a quarter, half and
+                                          ///< three quarters of what is seen of the leaves, quads the rest
+  std::array<float, 17> leaf_scale{};     ///< linear size at u = 2^(-i/2) of the leaves, fitted to coverage
   Visibility visibility;
   GroveFit grove;
 };

@@ -22,11 +22,12 @@ template <class Plant, class Visit>
 void each_field(Plant& plant, Visit&& visit) {
   auto& [name, height_m, crown_radius_m, leaf_image, bark_image, bark, branch_levels, branch_steps, lines, coarse_lines,
          line_levels, line_firsts, leaves, cells, shuffled, large_quads, points, large_points, point_levels, cover_m2,
-         leaf_area_m2, leaf_scale, visibility, grove] = plant;
+         leaf_area_m2, turning, leaf_scale, visibility, grove] = plant;
   const auto all = [&](auto&... fields) { (visit(fields), ...); };
   all(name, height_m, crown_radius_m, leaf_image.size, leaf_image.rgba, bark_image.size, bark_image.rgba);
   all(bark, branch_levels, branch_steps, lines, coarse_lines, line_levels, line_firsts);
-  all(leaves, cells, shuffled, large_quads, points, large_points, point_levels, cover_m2, leaf_area_m2, leaf_scale);
+  all(leaves, cells, shuffled, large_quads, points, large_points, point_levels, cover_m2, leaf_area_m2);
+  all(turning, leaf_scale);
   all(visibility.side, visibility.share, grove);
 }
 
