@@ -1,6 +1,7 @@
 // Trees that turn into mosaics as they become small.
 #include "scenegraph/draw/far_trees.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -130,12 +131,14 @@ TEST_CASE("far trees: wind moves mosaics as it moves the trees that they take ov
     return middle_of_tops(picture_of(renderer, scene, mosaics, kError, 1, seconds)) -
            middle_of_tops(picture_of(renderer, scene, mosaics, kError, 0, 0));
   };
+  double most = 0;
   for (double seconds = 0; seconds < 8; seconds += 1.3) {
     const double trees = moved(false, seconds), mosaics = moved(true, seconds);
     CAPTURE(seconds, trees);
-    CHECK(std::abs(trees) > 0.15);
+    most = std::max(most, std::abs(trees));
     CHECK(std::abs(mosaics - trees) < 0.12);  // pixels: boughs move near ones besides
   }
+  CHECK(most > 0.2);
   CHECK(log.messages().empty());
 }
 
