@@ -3,6 +3,7 @@
 #include <tbb/task_arena.h>
 
 #include "foliage/import/ldm_cache.h"
+#include "scenegraph/import/picture_square.h"
 
 namespace manzana {
 namespace {
@@ -73,6 +74,13 @@ std::unique_ptr<draw::FarTreeMaker> make_far_trees(const Resident& resident, con
   return std::make_unique<draw::FarTreeMaker>(
       draw::FarTreeSource{model->plants(), resident.renderer->sites(), model},
       draw::FarTreeHow{.make_pack = pack, .run = host.run, .arrived = host.request_repaint});
+}
+
+std::unique_ptr<draw::PictureMaker> make_pictures(const Resident& resident, const Host& host) {
+  const auto make = [model = resident.model](const draw::PictureWanted& wanted) {
+    return picture_square(model->scene().pictures.encoded[wanted.picture], wanted.side);
+  };
+  return std::make_unique<draw::PictureMaker>(make, host.run, host.request_repaint);
 }
 
 }  // namespace manzana

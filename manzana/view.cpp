@@ -87,7 +87,7 @@ struct View::State {
   RendererPtr make_renderer(const Model& model) const;
   Sight sight() const { return {classes, drawing.layers.buildings, drawing.seconds}; }
   Eye* eye_at(std::size_t i);
-  void bring_far_trees();
+  void bring_made();
   void bring();
   void bring(std::size_t most);
   void begin();
@@ -157,13 +157,15 @@ void View::State::swap_in() {
   coming = {};
   shown.shown = true;
   if (!shown.far) shown.far = make_far_trees(shown, host);
+  if (!shown.pictures) shown.pictures = make_pictures(shown, host);
   recolour = colour != nullptr;
 }
 
 /// What has been made since the last picture, so much in one.
-void View::State::bring_far_trees() {
+void View::State::bring_made() {
   shown.far->give(*shown.renderer, std::min<std::uint64_t>(options.upload_bytes_a_frame, kFarTreeBytesAFrame));
-  if (shown.far->ready()) repaint();
+  shown.pictures->give(*shown.renderer, options.upload_bytes_a_frame);
+  if (shown.far->ready() || shown.pictures->ready()) repaint();
 }
 
 void View::State::paint() {
@@ -190,6 +192,7 @@ void View::State::account() {
   update.shown = shown.renderer != nullptr;
   update.bytes_to_upload = coming.renderer ? coming.left : shown.left;
   update.far_trees_left = shown.far ? shown.far->left() : 0;
+  update.pictures_left = shown.pictures ? shown.pictures->left() : 0;
   update.gpu_bytes = 0;
   for (const Resident* resident : {&shown, &coming})
     if (resident->renderer) update.gpu_bytes += resident->renderer->memory().sum();
@@ -202,6 +205,7 @@ void View::State::forget() noexcept {
   coming.renderer.reset();
   if (!coming.model) std::swap(coming, shown);  // it comes back when it is drawn again
   if (coming.far) coming.far->drop();
+  if (coming.pictures) coming.pictures->drop();
   coming.shown = false;
   coming.left = 0;
   coming.eyes.clear();
@@ -258,7 +262,7 @@ void View::render(std::size_t i) {
   const Eye* const eye = s.eye_at(i);
   if (eye == nullptr) return;
   s.paint();
-  s.bring_far_trees();
+  s.bring_made();
   draw::Renderer& renderer = *s.shown.renderer;
   const draw::PixelRect& viewport = eye->host.viewport;
   renderer.resize({viewport.width, viewport.height}, i);
@@ -269,6 +273,7 @@ void View::render(std::size_t i) {
       nodes_left + renderer.draw(s.shown.model->scene(), *eye->sets, eye->camera, drawing, eye->nodes).bytes_to_bring;
   if (s.shown.left > 0) s.repaint();
   s.shown.far->want(renderer);
+  s.shown.pictures->want(renderer);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, saved.framebuffer());
   draw::Overlay overlay{.viewport = viewport, .linear = s.options.linear_framebuffer};
   set_depth(overlay, eye->host, eye->camera);
@@ -278,7 +283,8 @@ void View::render(std::size_t i) {
 bool View::complete() const {
   State& s = *state_;
   const std::scoped_lock lock(s.mutex);
-  return !s.asked && !s.coming.model && s.shown.renderer && s.shown.left + s.shown.far->left() == 0;
+  return !s.asked && !s.coming.model && s.shown.renderer &&
+         s.shown.left + s.shown.far->left() + s.shown.pictures->left() == 0;
 }
 
 void View::pick(std::size_t i, const draw::PixelRect& rect, std::span<FeatureId> ids) {

@@ -30,8 +30,9 @@ struct Host {
   /// update(). It must not call the view.
   std::function<void()> request_repaint = {};
   /// Runs a task once, on another thread of the host's, some time. What far trees need is made there: packs of species,
-  /// a second's work each, groves of blocks, some milliseconds. A task may outlast the view. Without: threads of the
-  /// view's own, which are there while far trees lack something; none where drawing() has neither mosaics nor groves.
+  /// a second's work each, groves of blocks, some milliseconds; and pictures that buildings wear are decoded. A task
+  /// may outlast the view. Without: threads of the view's own, which are there while far trees lack something; none
+  /// where drawing() has neither mosaics nor groves.
   draw::Run run = {};
   /// As eglGetProcAddress and glfwGetProcAddress are; without one EGL's. Asked once a process.
   void (*(*get_proc_address)(const char* name))() = nullptr;
@@ -61,6 +62,7 @@ struct Update {
   std::vector<Seen> cameras;
   std::uint64_t bytes_to_upload = 0;  ///< of what is in sight; 0: all is there
   std::uint64_t far_trees_left = 0;   ///< packs and groves that are being made
+  std::uint64_t pictures_left = 0;    ///< likewise what buildings wear, in mean colours until then
   std::uint64_t gpu_bytes = 0;        ///< held of the device
   bool shown = false;                 ///< the city is drawn; new ones start hidden
 };

@@ -37,9 +37,8 @@ Level halved(const Level& from) {
 
 }  // namespace
 
-void add_levels(GroundPhoto& photo) {
-  while (photo.levels.back().columns > 1 || photo.levels.back().rows > 1)
-    photo.levels.push_back(halved(photo.levels.back()));
+void add_levels(std::vector<Level>& levels) {
+  while (levels.back().columns > 1 || levels.back().rows > 1) levels.push_back(halved(levels.back()));
 }
 
 std::size_t bytes_of(const GroundPhoto& photo) {

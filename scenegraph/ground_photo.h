@@ -27,7 +27,7 @@ struct GroundPhoto {
 
 /// From the only level that there is down to one square: each the mean of four, in linear light; beyond the edge there
 /// is nothing.
-void add_levels(GroundPhoto& photo);
+void add_levels(std::vector<GroundPhoto::Level>& levels);
 
 std::size_t bytes_of(const GroundPhoto& photo);
 

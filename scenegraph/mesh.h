@@ -41,12 +41,25 @@ static_assert(sizeof(CityVertex) == 32);
 struct CityMesh {
   std::vector<CityVertex> vertices;
   std::vector<std::uint32_t> indices;
+  /// A row a vertex, alike for a triangle's: what it wears, of Pictures::textures, from 1; 0, and vertices beyond the
+  /// last row: nothing. With a texture uv = (right, up) on the picture, whose edges are 0 and 1, and `colour` its mean.
+  std::vector<std::uint32_t> textures = {};
 };
+
+/// What a vertex of a CityMesh or a StoredMesh wears.
+std::uint32_t texture_of(const auto& mesh, std::size_t vertex) {
+  return vertex < mesh.textures.size() ? mesh.textures[vertex] : 0;
+}
+
+/// The last vertex wears that.
+inline void wear(CityMesh& mesh, std::uint32_t texture) {
+  if (texture > 0) mesh.textures.resize(mesh.vertices.size(), 0), mesh.textures.back() = texture;
+}
 
 /// The same, of a whole layer, that may stay in the file that it was baked into.
 struct StoredMesh {
   Column<CityVertex> vertices;
-  Column<std::uint32_t> indices;
+  Column<std::uint32_t> indices, textures;
 };
 
 inline std::uint32_t pack_colour(std::uint32_t rgb, Material material) {  // rgb as 0xRRGGBB

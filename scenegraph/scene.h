@@ -16,6 +16,7 @@
 #include "scenegraph/layer_table.h"
 #include "scenegraph/local_frame.h"
 #include "scenegraph/mesh.h"
+#include "scenegraph/pictures.h"
 #include "scenegraph/traffic.h"
 
 namespace manzana {
@@ -98,6 +99,7 @@ struct Scene {
   TreeLayer trees;
   Traffic traffic;
   Attributes attributes;    ///< of objects of the tree; only if they were asked for
+  Pictures pictures;        ///< what buildings wear
   GroundPhoto photo;        ///< laid over the ground; only if one was asked for
   culling::BoxD bounds;     ///< of all objects, in L
   std::string attribution;  ///< must be shown with every picture; empty for made-up data

@@ -10,6 +10,7 @@
 #include "foliage/import/ldm_cache.h"
 #include "gl/context.h"
 #include "scenegraph/draw/frame_data.h"
+#include "scenegraph/import/picture_square.h"
 
 namespace manzana::walkthrough {
 namespace {
@@ -60,6 +61,15 @@ bool add_far_trees(Stage& stage) {
   return stage.whole ? stage.far->give_all(stage.renderer) : stage.far->give(stage.renderer, kGroveBytesAFrame);
 }
 
+constexpr std::size_t kPictureBytesAFrame = 4 << 20;
+
+/// Likewise of pictures that buildings wear.
+bool add_pictures(Stage& stage) {
+  stage.pictures.want(stage.renderer);
+  return stage.whole ? stage.pictures.give_all(stage.renderer)
+                     : stage.pictures.give(stage.renderer, kPictureBytesAFrame);
+}
+
 /// Kept on disk.
 std::optional<foliage::LdmPack> pack_of(const foliage::PreparedPlant& plant) {
   const auto tell = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
@@ -79,7 +89,13 @@ void make_far_trees(Stage& stage, std::span<const foliage::PreparedPlant> plants
 
 Stage::Stage(const Scene& city, std::span<const foliage::PreparedPlant> plants, const draw::Quality& quality,
              draw::Size first_size, std::size_t gpu_bytes)
-    : scene(city), renderer(city, plants, quality, gpu_bytes), sets(city), horizon(city), size(first_size) {
+    : scene(city),
+      renderer(city, plants, quality, gpu_bytes),
+      sets(city),
+      horizon(city),
+      size(first_size),
+      pictures(
+          [&city](const draw::PictureWanted& w) { return picture_square(city.pictures.encoded[w.picture], w.side); }) {
   options.tree_error_px = quality.tree_error_px;
   options.tree_law = quality.tree_law;
   renderer.resize(size);
@@ -118,7 +134,8 @@ FrameRow draw_frame(Stage& stage, const culling::View& view, double seconds) {
   stage.options.seconds = seconds;
   stage.timer.begin();
   draw::FrameCounts counts = stage.renderer.draw(stage.scene, stage.sets, view, options_within_budget(stage));
-  if (add_far_trees(stage) && stage.whole) {
+  const bool dressed = add_pictures(stage);
+  if ((add_far_trees(stage) || dressed) && stage.whole) {
     watch.lap();
     counts = stage.renderer.draw(stage.scene, stage.sets, view, options_within_budget(stage));
   }

@@ -10,6 +10,7 @@
 #include "foliage/time_budget.h"
 #include "gl/frame_timer.h"
 #include "scenegraph/draw/far_tree_maker.h"
+#include "scenegraph/draw/picture_maker.h"
 #include "scenegraph/draw/renderer.h"
 #include "scenegraph/horizon.h"
 #include "scenegraph/visible.h"
@@ -32,8 +33,9 @@ struct Stage {
   draw::DrawOptions options;  ///< with options.frozen set, that view culls and `view` looks at it from outside
   bool wait = true;           ///< for the device at the end, so that draw_ms says all
   std::optional<draw::FarTreeMaker> far;  ///< none: far trees are drawn as near ones are
-  bool whole =
-      false;  ///< a frame waits for the packs and groves that it asks for, so that two runs give equal pictures
+  draw::PictureMaker pictures;            ///< what buildings wear
+  bool whole = false;  ///< a frame waits for the pictures, packs and groves that it asks for, so that two runs give
+                       ///< equal pictures
   double tree_ms = 0;  ///< of a frame, that trees' vertices are kept to; 0: no limit
   foliage::TimeBudget time_budget;
   gl::FrameTimer timer;  ///< of the GPU; where there is none, frames are waited for and timed as a whole

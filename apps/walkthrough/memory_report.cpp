@@ -88,6 +88,7 @@ MemoryReport report_memory(const Scene& scene, std::span<const foliage::Prepared
            {"mosaics of far trees", held(device.packs)},
            {"groves", held(device.groves)},
            {"photo of the ground", held(device.photo)},
+           {"what buildings wear", held(device.textures)},
            {"nodes of a host", held(device.nodes)},
            {"frames' streams", held(device.stream)},
            {"pictures", held(device.pictures)}},

@@ -13,6 +13,7 @@ Material material_of(const CityVertex& vertex) { return static_cast<Material>(ve
 
 // Flat values of a triangle are those of its last vertex.
 Paint paint_at(const CityMesh& mesh, std::size_t triangle) {
+  if (texture_of(mesh, mesh.indices[triangle + 2]) > 0) return Paint::picture;
   return paint_of(material_of(mesh.vertices[mesh.indices[triangle + 2]]));
 }
 
@@ -20,9 +21,16 @@ gl::Program make_paint(std::string_view name, std::string_view fragment, const P
                        bool fading = false) {
   using namespace shaders;
   const std::string_view share = fading ? fade_glsl : whole_glsl;
-  return gl::make_program(name, {version_glsl, frame_layout_glsl, frame_glsl, light_glsl, city_vert},
+  return gl::make_program(name, {version_glsl, frame_layout_glsl, frame_glsl, light_glsl, seed_glsl, city_vert},
                           {version_glsl, frame_layout_glsl, frame_glsl, noise_glsl, light_glsl, share_glsl, photo[0],
                            photo[1], city_glsl, share, fragment});
+}
+
+gl::Program make_picture_paint(std::string_view name, bool fading = false) {
+  using namespace shaders;
+  return gl::make_program(name, {version_glsl, frame_layout_glsl, frame_glsl, light_glsl, worn_vertex_glsl, city_vert},
+                          {version_glsl, frame_layout_glsl, frame_glsl, light_glsl, share_glsl, city_glsl,
+                           worn_layout_glsl, worn_glsl, fading ? fade_glsl : whole_glsl, picture_frag});
 }
 
 }  // namespace
@@ -43,14 +51,14 @@ Paint paint_of(Material material) {
   }
 }
 
-PaintPrograms make_paint_programs(bool photo) {
+PaintPrograms make_paint_programs(bool photo, bool pictures) {
   const PhotoPieces pieces = photo_pieces(photo);
   return {make_paint("facade", shaders::facade_frag, pieces), make_paint("roof", shaders::roof_frag, pieces),
-          make_paint("road", shaders::road_frag, pieces), make_paint("water", shaders::water_frag, pieces),
-          make_paint("ground", shaders::ground_frag, pieces)};
+          make_paint("road", shaders::road_frag, pieces),     make_paint("water", shaders::water_frag, pieces),
+          make_paint("ground", shaders::ground_frag, pieces), pictures ? make_picture_paint("picture") : gl::Program()};
 }
 
-PaintPrograms make_fading_programs() {
+PaintPrograms make_fading_programs(bool pictures) {
   const PhotoPieces none = photo_pieces(false);
   PaintPrograms programs;
   const auto make = [&](Paint paint, std::string_view name, std::string_view fragment) {
@@ -59,6 +67,7 @@ PaintPrograms make_fading_programs() {
   make(Paint::facade, "fading facade", shaders::facade_frag);
   make(Paint::roof, "fading roof", shaders::roof_frag);
   make(Paint::ground, "fading concrete", shaders::ground_frag);
+  if (pictures) programs[static_cast<std::size_t>(Paint::picture)] = make_picture_paint("fading picture", true);
   return programs;
 }
 

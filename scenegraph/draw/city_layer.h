@@ -15,15 +15,15 @@
 namespace manzana::draw {
 
 /// One fragment shader each.
-enum class Paint : std::uint8_t { facade, roof, road, water, ground, count };
+enum class Paint : std::uint8_t { facade, roof, road, water, ground, picture, count };
 inline constexpr std::size_t kPaints = static_cast<std::size_t>(Paint::count);
-Paint paint_of(Material material);
+Paint paint_of(Material material);  ///< of what wears no picture
 
 using PaintPrograms = std::array<gl::Program, kPaints>;
-/// `photo`: the ground has one (photo_layer.h).
-PaintPrograms make_paint_programs(bool photo);
+/// `photo`: the ground has one (photo_layer.h). `pictures`: some buildings wear some (picture_pages.h).
+PaintPrograms make_paint_programs(bool photo, bool pictures);
 /// Those of buildings, for what is between two levels: each sample of a pixel shows one of both.
-PaintPrograms make_fading_programs();
+PaintPrograms make_fading_programs(bool pictures);
 
 /// Indices [first[p][i], first[p][i + 1]) of `indices` are object i's triangles of paint p.
 struct PaintedIndices {

@@ -26,7 +26,7 @@ std::uint32_t instance_of(float share) {
   return std::clamp(static_cast<std::uint32_t>(share * kShares + 0.5F), 1U, kShares - 1);
 }
 
-gl::VertexArray make_array(const gl::Buffer& vertices, const gl::Buffer& indices) {
+gl::VertexArray make_array(const gl::Buffer& vertices, const gl::Buffer& indices, const gl::Buffer& textures) {
   gl::VertexArray array = gl::make_vertex_array(indices);
   const GLuint name = array.name();
   for (GLuint attribute = 0; attribute < 5; ++attribute) {
@@ -39,6 +39,11 @@ gl::VertexArray make_array(const gl::Buffer& vertices, const gl::Buffer& indices
   glVertexArrayAttribFormat(name, 3, 2, GL_FLOAT, GL_FALSE, offsetof(CityVertex, uv));
   glVertexArrayAttribIFormat(name, 4, 1, GL_UNSIGNED_INT, offsetof(CityVertex, block));
   glVertexArrayVertexBuffer(name, 0, vertices.name(), 0, sizeof(CityVertex));
+  if (textures.name() == 0) return array;
+  glEnableVertexArrayAttrib(name, 6);
+  glVertexArrayAttribBinding(name, 6, 2);
+  glVertexArrayAttribIFormat(name, 6, 1, GL_UNSIGNED_INT, 0);
+  glVertexArrayVertexBuffer(name, 2, textures.name(), 0, sizeof(std::uint32_t));
   return array;
 }
 
@@ -49,10 +54,6 @@ gl::VertexArray with_shares(gl::VertexArray array, const gl::Buffer& shares) {
   glVertexArrayBindingDivisor(array.name(), 1, 1);
   glVertexArrayVertexBuffer(array.name(), 1, shares.name(), 0, sizeof(float));
   return array;
-}
-
-std::size_t bytes_for(std::size_t vertices, std::size_t indices) {
-  return vertices * sizeof(CityVertex) + indices * sizeof(std::uint32_t);
 }
 
 /// A buffer of so many bytes that begins with what the other has.
@@ -83,11 +84,16 @@ void settle(LayerPieces& pieces) {
 CityMeshes::CityMeshes(const Scene& scene)
     : buildings(scene.buildings, scene.tree.origin),
       surfaces(scene.surfaces, scene.tree.origin),
+      textured_(!scene.pictures.textures.empty()),
       shares_(make_shares()),
       all_(bytes_of(buildings) + bytes_of(surfaces)) {
   if (scene.blocks.size() >= kMaxBlocks) throw std::runtime_error("a scene of 2^24 blocks cannot be drawn");
   wanted_.reserve(buildings.pieces.size() + surfaces.pieces.size());
   resize(kFirstVertices, kFirstIndices);
+}
+
+std::size_t CityMeshes::bytes_for(std::size_t vertices, std::size_t indices) const {
+  return vertices * (sizeof(CityVertex) + (textured_ ? sizeof(std::uint32_t) : 0)) + indices * sizeof(std::uint32_t);
 }
 
 std::size_t CityMeshes::device_bytes() const { return bytes_for(vertex_room_.size(), index_room_.size()); }
@@ -192,13 +198,21 @@ void CityMeshes::upload(const Wanted& wanted, const Place& place) {
   LayerPieces& layer = *wanted.pieces;
   const ItemMesh item = mesh_of(*wanted.layer, layer, wanted.item);
   PaintedIndices sorted = sort_by_paint(item.mesh, item.index_first);
-  put(vertices_, place.vertices, item.mesh.vertices);
+  put_vertices(place.vertices, item.mesh);
   put(indices_, place.indices, sorted.indices);
   for (std::size_t p = 0; p < kPaints; ++p) {
     layer.painted[p] |= sorted.first[p].front() < sorted.first[p].back();
     for (std::uint32_t& first : sorted.first[p]) first += place.indices;
   }
-  layer.held[wanted.item] = LayerPieces::Held{place.vertices, std::move(sorted.first)};
+  layer.held[wanted.item] = LayerPieces::Held{place.vertices, std::move(sorted.first), worn_by(item.mesh)};
+}
+
+void CityMeshes::put_vertices(std::uint32_t at, const CityMesh& mesh) {
+  put(vertices_, at, mesh.vertices);
+  if (!textured_) return;
+  std::vector<std::uint32_t> textures = mesh.textures;
+  textures.resize(mesh.vertices.size());
+  put(textures_, at, textures);
 }
 
 void CityMeshes::paint(const MeshLayer& layer, LayerPieces& pieces, std::span<const std::uint32_t> colours) {
@@ -210,17 +224,19 @@ void CityMeshes::paint(const MeshLayer& layer, LayerPieces& pieces, std::span<co
     if (std::ranges::equal(of_piece(pieces.colours), of_piece(colours))) continue;
     std::ranges::copy(of_piece(colours), of_piece(pieces.colours).begin());
     for (std::uint32_t item = p; item < pieces.pieces.size(); item += pieces.count)
-      if (pieces.held[item]) put(vertices_, pieces.held[item]->vertices_at, mesh_of(layer, pieces, item).mesh.vertices);
+      if (pieces.held[item]) put_vertices(pieces.held[item]->vertices_at, mesh_of(layer, pieces, item).mesh);
   }
 }
 
 void CityMeshes::resize(std::uint32_t vertices, std::uint32_t indices) {
   vertices_ = enlarged(vertices_, vertex_room_.size() * sizeof(CityVertex), vertices * sizeof(CityVertex));
   indices_ = enlarged(indices_, index_room_.size() * sizeof(std::uint32_t), indices * sizeof(std::uint32_t));
+  if (textured_)
+    textures_ = enlarged(textures_, vertex_room_.size() * sizeof(std::uint32_t), vertices * sizeof(std::uint32_t));
   vertex_room_.grow(vertices);
   index_room_.grow(indices);
-  array_ = make_array(vertices_, indices_);
-  fading_array_ = with_shares(make_array(vertices_, indices_), shares_);
+  array_ = make_array(vertices_, indices_, textures_);
+  fading_array_ = with_shares(make_array(vertices_, indices_, textures_), shares_);
 }
 
 Drawn make_commands(const LayerTable& table, const LayerPieces& layer, Paint paint,

@@ -55,11 +55,15 @@ class CityMeshes {
   bool release_before(std::uint64_t frame);
   void release(LayerPieces& layer, std::size_t piece);
   void upload(const Wanted& wanted, const Place& place);
+  void put_vertices(std::uint32_t at, const CityMesh& mesh);
+  std::size_t bytes_for(std::size_t vertices, std::size_t indices) const;
   void resize(std::uint32_t vertices, std::uint32_t indices);
 
+  bool textured_;
   std::size_t most_bytes_ = 0;
   gl::VertexArray array_, fading_array_;
   gl::Buffer vertices_, indices_, shares_;
+  gl::Buffer textures_;  ///< a row a vertex; only of a scene with pictures
   gl::Ranges vertex_room_, index_room_;
   std::vector<Wanted> wanted_;
   std::uint64_t frame_ = 0;

@@ -1,6 +1,8 @@
 #include "scenegraph/draw/city_pieces.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 namespace manzana::draw {
 namespace {
@@ -23,6 +25,7 @@ std::span<const std::uint32_t> indices_of(const MeshRows& layer, const culling::
 /// Of a baked city, what was copied from the file.
 void let_go(const MeshRows& layer, const culling::ObjectRun& rows, const culling::ObjectRun& vertices) {
   layer.mesh.vertices.let_go(vertices.first, vertices.last);
+  if (!layer.mesh.textures.empty()) layer.mesh.textures.let_go(vertices.first, vertices.last);
   layer.mesh.indices.let_go(layer.index_first[rows.first], layer.index_first[rows.last]);
 }
 
@@ -59,12 +62,21 @@ void add_levels(std::vector<Piece>& pieces, const MeshLayer& layer) {
   for (const MeshRows& level : layer.levels) level.mesh.indices.let_go(0, level.mesh.indices.size());
 }
 
+void append(CityMesh& mesh, const StoredMesh& from, const culling::ObjectRun& vertices) {
+  mesh.vertices.insert(mesh.vertices.end(), from.vertices.begin() + vertices.first,
+                       from.vertices.begin() + vertices.last);
+  const std::size_t all = from.textures.size(), last = std::min<std::size_t>(vertices.last, all);
+  if (vertices.first >= last) return;
+  mesh.textures.resize(mesh.vertices.size() - size_of(vertices));
+  mesh.textures.insert(mesh.textures.end(), from.textures.begin() + vertices.first,
+                       from.textures.begin() + static_cast<std::ptrdiff_t>(last));
+}
+
 void append(ItemMesh& item, const MeshRows& rows, std::uint32_t row) {
   const auto indices = indices_of(rows, {row, row + 1});
   const culling::ObjectRun vertices = vertices_of(indices);
   const auto base = static_cast<std::uint32_t>(item.mesh.vertices.size());
-  item.mesh.vertices.insert(item.mesh.vertices.end(), rows.mesh.vertices.begin() + vertices.first,
-                            rows.mesh.vertices.begin() + vertices.last);
+  append(item.mesh, rows.mesh, vertices);
   for (const std::uint32_t i : indices) item.mesh.indices.push_back(i - vertices.first + base);
   item.index_first.push_back(static_cast<std::uint32_t>(item.mesh.indices.size()));
   let_go(rows, {row, row + 1}, vertices);
@@ -73,8 +85,7 @@ void append(ItemMesh& item, const MeshRows& rows, std::uint32_t row) {
 /// As they lie in the layer: with one copy.
 ItemMesh whole_mesh_of(const MeshLayer& layer, const Piece& piece) {
   ItemMesh item;
-  item.mesh.vertices.assign(layer.mesh.vertices.begin() + piece.vertices.first,
-                            layer.mesh.vertices.begin() + piece.vertices.last);
+  append(item.mesh, layer.mesh, piece.vertices);
   for (const std::uint32_t i : indices_of(layer, piece.rows)) item.mesh.indices.push_back(i - piece.vertices.first);
   for (std::uint32_t row = piece.rows.first; row <= piece.rows.last; ++row)
     item.index_first.push_back(layer.index_first[row] - layer.index_first[piece.rows.first]);
@@ -94,16 +105,41 @@ void recolour(ItemMesh& item, std::span<const std::uint32_t> colours) {
   for (std::size_t row = 0; row < colours.size(); ++row)
     for (std::uint32_t i = item.index_first[row]; colours[row] != kOwnColour && i < item.index_first[row + 1]; ++i) {
       CityVertex& vertex = item.mesh.vertices[item.mesh.indices[i]];
+      if (texture_of(item.mesh, item.mesh.indices[i]) > 0) item.mesh.textures[item.mesh.indices[i]] = kCovered;
       vertex.colour = pack_colour(colours[row], static_cast<Material>(vertex.colour >> 24));
     }
 }
 
-/// 0 inside.
-double distance(const Vec3d& p, const culling::BoxD& box) {
-  return glm::length(glm::max(glm::max(box.min - p, p - box.max), Vec3d(0)));
+constexpr float kWidest = 1e6F;  // metres of a picture's side: where it is laid on as a line
+
+/// The longer side of the whole picture, as a triangle has it.
+float metres_of(const CityVertex& a, const CityVertex& b, const CityVertex& c) {
+  const Vec3 p = b.position - a.position, q = c.position - a.position;
+  const Vec2 s = b.uv - a.uv, t = c.uv - a.uv;
+  const float turn = s.x * t.y - s.y * t.x;
+  const float longer = std::max(glm::length(p * t.y - q * s.y), glm::length(q * s.x - p * t.x));
+  return longer < kWidest * std::abs(turn) ? longer / std::abs(turn) : kWidest;
 }
 
 }  // namespace
+
+double distance(const MeshDetail& detail, const culling::BoxD& box) {
+  return glm::length(glm::max(glm::max(box.min - detail.eye, detail.eye - box.max), Vec3d(0)));
+}
+
+std::vector<Worn> worn_by(const CityMesh& mesh) {
+  std::map<std::uint32_t, float> metres;
+  for (std::size_t i = 0; i < mesh.indices.size() && !mesh.textures.empty(); i += 3) {
+    const std::uint32_t texture = texture_of(mesh, mesh.indices[i + 2]);
+    if (texture == 0 || texture == kCovered) continue;
+    const auto corner = [&](std::size_t k) -> const CityVertex& { return mesh.vertices[mesh.indices[i + k]]; };
+    float& most = metres[texture];
+    most = std::max(most, metres_of(corner(0), corner(1), corner(2)));
+  }
+  std::vector<Worn> worn;
+  for (const auto& [texture, side] : metres) worn.push_back({texture, side});
+  return worn;
+}
 
 std::vector<Piece> cut_into_pieces(const MeshLayer& layer) {
   std::vector<Piece> pieces;
@@ -143,7 +179,7 @@ LayerPieces::LayerPieces(const MeshLayer& layer, const Vec3d& origin)
 
 void LayerPieces::choose(std::uint32_t piece, const MeshDetail& detail) {
   Shown choice{piece, piece, 1};
-  const double away = has_levels() ? distance(detail.eye, boxes[piece]) : 0;
+  const double away = has_levels() ? distance(detail, boxes[piece]) : 0;
   for (std::uint32_t item = piece + count, level = 0; item < pieces.size(); item += count, ++level) {
     if (pieces[item].indices == 0) continue;
     const double from = kMeshLevelErrors[level] / detail.error_at_1m, alone = from * kLevelFade;

@@ -23,11 +23,22 @@ struct Piece {
 /// Of at least 2048 vertices each, as long as there are so many.
 std::vector<Piece> cut_into_pieces(const MeshLayer& layer);
 
-/// What may be wrong.
+/// What may be wrong, and how small pixels are.
 struct MeshDetail {
   Vec3d eye{0};            ///< in L
   double error_at_1m = 0;  ///< metres, for each metre that a thing is away; 0: nothing
+  double pixel_at_1m = 0;  ///< likewise
 };
+double distance(const MeshDetail& detail, const culling::BoxD& box);  ///< metres; 0 inside
+
+/// What a mesh wears, and how many metres the side of the picture is there, at most.
+struct Worn {
+  std::uint32_t texture = 0;  ///< from 1
+  float metres = 0;
+};
+std::vector<Worn> worn_by(const CityMesh& mesh);
+/// In CityMesh::textures of an item: what wore a picture has a host's colour.
+inline constexpr std::uint32_t kCovered = ~0U;
 /// A level is alone from so many times the distance on where it first may be drawn.
 inline constexpr double kLevelFade = 1.25;
 
@@ -39,6 +50,7 @@ struct LayerPieces {
   struct Held {
     std::uint32_t vertices_at = 0;
     std::array<std::vector<std::uint32_t>, kPaints> first;
+    std::vector<Worn> worn = {};
   };
   /// Two items of a piece, or one.
   struct Shown {

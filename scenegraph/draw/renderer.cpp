@@ -14,6 +14,7 @@
 #include "scenegraph/draw/node_layer.h"
 #include "scenegraph/draw/photo_layer.h"
 #include "scenegraph/draw/pick.h"
+#include "scenegraph/draw/picture_pages.h"
 #include "scenegraph/draw/shadows.h"
 #include "scenegraph/draw/sky.h"
 #include "scenegraph/draw/tree_layer.h"
@@ -23,7 +24,7 @@ namespace {
 
 constexpr GLuint kFrameBinding = 0, kPhotoBinding = 1;  // of uniforms
 constexpr GLuint kBlocksBinding = 1;
-constexpr std::size_t kPhotoShare = 8;  // of the device's bytes, for each screen
+constexpr std::size_t kPhotoShare = 8;  // of the device's bytes, for each screen; of pictures likewise
 
 void set_depth_and_colour(const Camera& camera) {
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -58,8 +59,10 @@ struct Renderer::State {
         anchor(scene.blocks.empty() ? BlockFrame{} : scene.blocks.front()),
         rows(scene.blocks.size()),
         meshes(scene),
-        paints(make_paint_programs(!scene.photo.empty())),
-        fading(meshes.buildings.has_levels() ? make_fading_programs() : PaintPrograms{}),
+        paints(make_paint_programs(!scene.photo.empty(), !scene.pictures.textures.empty())),
+        fading(meshes.buildings.has_levels() ? make_fading_programs(!scene.pictures.textures.empty())
+                                             : PaintPrograms{}),
+        pictures(scene.pictures, most > 0 ? most / kPhotoShare : PicturePages::kMostBytes),
         trees(scene, plants, limits_for(scene, plants, asked.tree_law == foliage::Law::full)),
         cars(scene.traffic.cars()),
         car_shadows(make_shadow("shadow_car", shaders::shadow_car_vert)),
@@ -83,6 +86,7 @@ struct Renderer::State {
   CityMeshes meshes;
   MeshDetail mesh_detail;  ///< of the last picture
   PaintPrograms paints, fading;
+  PicturePages pictures;
   TreeLayerGpu trees;
   CarLayerGpu cars;
   gl::Program car_shadows;
@@ -158,6 +162,7 @@ void Renderer::State::draw_layers(const Scene& scene, const VisibleSets& sets, c
   glEnable(GL_CULL_FACE);
   if (layers.buildings) {
     counts.buildings = count(scene.buildings.table, sets.objects());
+    pictures.bind();
     add(counts, draw_city(meshes, scene.buildings.table, meshes.buildings, paints, fading, sets.objects(), stream));
   }
   if (layers.cars) {
@@ -222,6 +227,7 @@ DeviceMemory Renderer::memory() const {
                       .lists = s.tree_bytes.lists,
                       .packs = bytes_of_packs(s.trees.far),
                       .groves = s.trees.groves.drawer->bytes(),
+                      .textures = s.pictures.device_bytes(),
                       .nodes = s.nodes.device_bytes(),
                       .stream = s.stream.bytes()};
   for (const auto& photo : s.photos)
@@ -259,7 +265,8 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
   count_cars(sets.cars, camera.eye, f_px / error_px, s.cars.selection);
 
   const foliage::Law law = options.tree_law.value_or(s.quality.tree_law);
-  s.mesh_detail = {camera.eye, law == foliage::Law::full ? 0 : error_px / f_px};
+  const bool full = law == foliage::Law::full;
+  s.mesh_detail = {camera.eye, full ? 0 : error_px / f_px, full ? 0 : 1 / f_px};
 
   FrameCounts counts;
   const std::size_t held = s.meshes.held_bytes();
@@ -267,6 +274,9 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
   const std::size_t brought = s.meshes.held_bytes() - std::min(held, s.meshes.held_bytes());
   counts.bytes_to_bring += s.bring_photo(scene, camera, options.upload_bytes - std::min(options.upload_bytes, brought));
   counts.bytes_without_room = s.meshes.missing_bytes();
+  s.pictures.begin();
+  see(s.pictures, scene.pictures, s.meshes.buildings, s.mesh_detail);
+  s.pictures.end();
   s.stream.begin(s.bytes_of_frame(sets) + stream_bytes(nodes));
   gl::bind(s.target());
   set_depth_and_colour(camera);
@@ -315,6 +325,12 @@ std::shared_ptr<const std::vector<foliage::TreeSite>> Renderer::sites() const { 
 
 bool Renderer::add_grove(const GroveWanted& wanted, const foliage::Grove& grove) {
   return draw::add_grove(state_->trees.groves, wanted, grove);
+}
+
+std::span<const PictureWanted> Renderer::pictures_wanted() const { return state_->pictures.wanted(); }
+
+bool Renderer::add_picture(const PictureWanted& wanted, const PictureSquare& square) {
+  return state_->pictures.add(wanted, square);
 }
 
 foliage::Shown Renderer::trees_shown() const { return newest_shown(state_->trees); }

@@ -98,9 +98,12 @@ struct DeviceMemory {
   std::size_t meshes_missing = 0;     ///< in sight now, and without room
   std::size_t plants = 0, lists = 0;  ///< of trees
   std::size_t packs = 0, groves = 0;
-  std::size_t photo = 0;  ///< of the ground
+  std::size_t photo = 0;     ///< of the ground
+  std::size_t textures = 0;  ///< what buildings wear
   std::size_t nodes = 0, stream = 0, pictures = 0;
-  std::size_t sum() const { return meshes + plants + lists + packs + groves + photo + nodes + stream + pictures; }
+  std::size_t sum() const {
+    return meshes + plants + lists + packs + groves + photo + textures + nodes + stream + pictures;
+  }
 };
 
 inline constexpr std::uint32_t kOwnColour = ~0U;
@@ -109,6 +112,12 @@ inline constexpr std::uint32_t kOwnColour = ~0U;
 struct GroveWanted {
   std::uint32_t part, level;
   auto operator<=>(const GroveWanted&) const = default;
+};
+
+/// A picture of Scene::pictures, and the side of its square.
+struct PictureWanted {
+  std::uint32_t picture, side;
+  auto operator<=>(const PictureWanted&) const = default;
 };
 
 class Renderer {
@@ -145,6 +154,11 @@ class Renderer {
   std::span<const GroveWanted> groves_wanted() const;
   std::shared_ptr<const std::vector<foliage::TreeSite>> sites() const;     ///< of all trees
   bool add_grove(const GroveWanted& wanted, const foliage::Grove& grove);  ///< false: no room
+  /// Pictures that the last picture showed in their mean colours, or coarser than its pixels: picture_square() (import/
+  /// picture_square.h) makes their squares, anywhere and any time (picture_maker.h). add_picture() is an upload; what
+  /// is out of sight makes room. False: no room, or it is there.
+  std::span<const PictureWanted> pictures_wanted() const;
+  bool add_picture(const PictureWanted& wanted, const PictureSquare& square);
   /// What was drawn of trees, by the newest frame that the GPU has finished: the last one after glFinish.
   foliage::Shown trees_shown() const;
   void present(unsigned framebuffer);  ///< copies the picture there, same size, at (0, 0)

@@ -69,6 +69,7 @@ class Assembler {
     scene_.surfaces = make_layer(table(kSurface), numbers_of(built, kSurface), surfaces, std::move(c_.surfaces));
     scene_.trees = make_layer(table(kTrees), numbers_of(built, kTrees), trees, c_.trees);
     scene_.attribution = std::move(c_.attribution);
+    scene_.pictures = std::move(c_.pictures);
   }
 
   void store_blocks(const OrderedTree& built) {

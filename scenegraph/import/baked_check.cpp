@@ -109,6 +109,10 @@ void check_rows(const Scene& scene, const MeshRows& layer, std::size_t rows) {
   for_each_part(layer.mesh.indices, [&](auto part) { need(all_below(part, layer.mesh.vertices.size()), "an index"); });
   const auto bad = [&](const CityVertex& v) { return v.block >= scene.blocks.size(); };
   for_each_part(layer.mesh.vertices, [&](auto part) { need(std::ranges::none_of(part, bad), "a vertex's block"); });
+  const StoredMesh& mesh = layer.mesh;
+  need(mesh.textures.size() <= mesh.vertices.size(), "what vertices wear");
+  const auto unknown = [&](std::uint32_t texture) { return texture > scene.pictures.textures.size(); };
+  for_each_part(mesh.textures, [&](auto part) { need(std::ranges::none_of(part, unknown), "what a vertex wears"); });
 }
 void check_layer(const Scene& scene, const MeshLayer& layer) {
   check_table(scene, layer.table);
@@ -160,6 +164,13 @@ void check_attributes(const Scene& scene) {
   need(all_below(a.row_of_object, a.rows.size()), "attributes of objects");
 }
 
+void check_pictures(const Pictures& pictures) {
+  for (const Texture& texture : pictures.textures)
+    need(texture.picture < pictures.encoded.size() && texture.wrap < Wrap::count, "a texture");
+  for (const EncodedPicture& picture : pictures.encoded)
+    need(!picture.bytes.empty() && picture.width > 0 && picture.height > 0, "a picture");
+}
+
 void check_blocks(const Scene& scene) {
   need(scene.blocks.size() == scene.tree.blocks(), "the blocks");
   for (const BlockFrame& b : scene.blocks) {
@@ -174,6 +185,7 @@ void check_blocks(const Scene& scene) {
 void check_scene(const Scene& scene) {
   TreeCheck(scene.tree).run();
   check_blocks(scene);
+  check_pictures(scene.pictures);
   check_layer(scene, scene.buildings);
   for (const MeshRows& level : scene.buildings.levels) check_rows(scene, level, scene.buildings.table.size());
   check_layer(scene, scene.surfaces);

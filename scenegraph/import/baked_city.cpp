@@ -11,6 +11,7 @@
 #include "files/mapped_file.h"
 #include "files/whole_file.h"
 #include "scenegraph/import/baked_check.h"
+#include "scenegraph/import/picture_square.h"
 
 namespace manzana {
 namespace {
@@ -67,8 +68,17 @@ void each_column(AnyScene& scene, Visit&& visit) {
   id = 36;
   for (auto& level : scene.buildings.levels)  // surfaces have none
     visit(id++, level.index_first), visit(id++, level.mesh.vertices), visit(id++, level.mesh.indices);
-  visit(id, said.rows);
+  visit(id++, said.rows);
+  visit(id++, scene.buildings.mesh.textures), visit(id++, scene.pictures.textures);  // surfaces wear none
+  for (auto& level : scene.buildings.levels) visit(id++, level.mesh.textures);
 }
+
+/// A picture's bytes end there, and begin where those of the one before it end.
+struct PictureRow {
+  std::uint64_t last = 0;
+  std::uint32_t width = 0, height = 0;
+};
+constexpr std::uint32_t kPictureRows = 60, kPictureBytes = 61;
 
 std::uint64_t checksum_of(std::string_view bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
 
@@ -151,6 +161,16 @@ Single single_of(const Imported& city) {
           r.fallback_blocks, r.objects,     r.fallback_objects, r.objects_median, r.objects_largest, s.trees.leeway_of};
 }
 
+void add_pictures(Writer& writer, const Pictures& pictures) {
+  std::vector<PictureRow> rows;
+  std::vector<unsigned char> all;
+  for (const EncodedPicture& picture : pictures.encoded) {
+    std::ranges::copy(bytes_of(picture), std::back_inserter(all));
+    rows.push_back({all.size(), picture.width, picture.height});
+  }
+  writer.add(kPictureRows, rows), writer.add(kPictureBytes, all);
+}
+
 class Reader {
  public:
   /// `file`: what keeps the bytes, if they are a mapped file's.
@@ -214,9 +234,27 @@ class Reader {
   std::vector<Section> table_;
 };
 
-Imported imported_from(std::span<const std::byte> bytes, std::shared_ptr<const void> file) {
+void take_pictures(const Reader& reader, const std::shared_ptr<const void>& file, Pictures& pictures) {
+  std::vector<PictureRow> rows;
+  Column<std::byte> bytes;
+  reader.take(kPictureRows, rows), reader.take(kPictureBytes, bytes);
+  std::uint64_t first = 0;
+  for (const PictureRow& row : rows) {
+    if (row.last < first || row.last > bytes.size()) throw std::runtime_error("is damaged: a picture");
+    const auto own = bytes.items().subspan(first, row.last - first);
+    EncodedPicture& picture = pictures.encoded.emplace_back();
+    picture.width = row.width, picture.height = row.height;
+    if (file)
+      picture.bytes = Column<std::byte>(own, file);
+    else
+      picture.bytes.own().assign(own.begin(), own.end());
+    first = row.last;
+  }
+}
+
+Imported imported_from(std::span<const std::byte> bytes, const std::shared_ptr<const void>& file) {
   const auto start = std::chrono::steady_clock::now();
-  const Reader reader(bytes, std::move(file));
+  const Reader reader(bytes, file);
   std::vector<Single> singles;
   reader.take(1, singles);
   if (singles.size() != 1) throw std::runtime_error("is damaged: its first column");
@@ -230,6 +268,7 @@ Imported imported_from(std::span<const std::byte> bytes, std::shared_ptr<const v
   city.scene.bounds = s.bounds;
   city.scene.trees.leeway_of = s.leeway_of;
   each_column(city.scene, [&](std::uint32_t id, auto& column) { reader.take(id, column); });
+  take_pictures(reader, file, city.scene.pictures);
   check_scene(city.scene);
   city.report = {s.blocks, s.fallback_blocks, s.objects, s.fallback_objects, s.objects_median, s.objects_largest, 0};
   city.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -246,6 +285,7 @@ std::string baked_bytes(const Imported& city) {
   Writer writer;
   writer.add(1, std::array{single_of(city)});
   each_column(city.scene, [&](std::uint32_t id, const auto& column) { writer.add(id, column); });
+  add_pictures(writer, city.scene.pictures);
   return writer.run();
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 /// A city that was imported before: FILE.manzana. Its columns lie in the file as they lie in memory, each with its
-/// checksum. The file is mapped: meshes, lanes and what neighbours hide of trees stay in it, and come to memory piece
-/// by piece as they are looked at; the other columns are copied. What is left of an import is the time to read and
-/// check.
+/// checksum. The file is mapped: meshes, lanes, pictures and what neighbours hide of trees stay in it, and come to
+/// memory piece by piece as they are looked at; the other columns are copied. What is left of an import is the time to
+/// read and check. Pictures that buildings wear are in it as they were encoded: it refers to no other file.
 ///   write_baked("city.manzana", import_city("city.osm.pbf"));     // manzana-bake import
 ///   Imported city = import_city("city.manzana");                   // as any other
 /// For this machine's byte order, and this version alone: a file of another is refused, to be baked again. Whole or not
@@ -17,12 +17,12 @@
 
 namespace manzana {
 
-inline constexpr std::uint32_t kBakedVersion = 3;
+inline constexpr std::uint32_t kBakedVersion = 4;
 
 bool is_baked(const std::filesystem::path& file);  ///< by its name
 
-/// Throws std::runtime_error ("FILE: what") when it cannot be written, and for plants of an ecosystem, whose models
-/// the file would lack.
+/// Throws std::runtime_error ("FILE: what") when it cannot be written, for plants of an ecosystem, whose models the
+/// file would lack, and for a picture that is not there any more.
 void write_baked(const std::filesystem::path& file, const Imported& city);
 
 /// Throws std::runtime_error ("FILE: what", one line).

@@ -41,9 +41,9 @@ class Builder {
     make_meshes();
     drop_empty();
     count_fallback();
-    Imported result =
-        assemble({f_.frame, std::move(frames_), std::move(buildings_), std::move(surfaces_), std::move(trees_),
-                  std::move(traffic_), f_.attributes.take(), std::move(f_.attribution), std::move(f_.issues)});
+    Imported result = assemble({f_.frame, std::move(frames_), std::move(buildings_), std::move(surfaces_),
+                                std::move(trees_), std::move(traffic_), f_.attributes.take(), std::move(f_.pictures),
+                                std::move(f_.attribution), std::move(f_.issues)});
     tell(1);
     result.report.fallback_blocks = fallback_blocks_, result.report.fallback_objects = fallback_objects_;
     result.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kOneSurface = 0.9998;  // cosine between normals
 constexpr float kSameUv = 0.02F;
+constexpr float kSamePlace = 1.0F / 512;  // of a picture's side
 
 using Corners = std::array<std::uint32_t, 3>;
 
@@ -42,8 +43,8 @@ class Levels {
   std::array<CityMesh, kMeshLevels> run() {
     std::array<CityMesh, kMeshLevels> levels;
     EdgeCollapse collapse(points_, triangles_);
-    for (std::size_t t = 0; t < triangles_.size(); ++t)
-      if (!flat(t))
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+      if (!flat(t) || !straight(t))
         for (const std::uint32_t c : triangles_[t].corner) collapse.fix(c);
     std::size_t drawn = mesh_.indices.size();
     for (std::size_t l = 0; l < kMeshLevels; ++l) {
@@ -59,6 +60,17 @@ class Levels {
  private:
   const CityVertex& vertex(std::size_t triangle, std::size_t k) const {
     return mesh_.vertices[mesh_.indices[3 * of_mesh_[triangle] + k]];
+  }
+  std::uint32_t texture(std::size_t t) const { return texture_of(mesh_, mesh_.indices[3 * of_mesh_[t] + 2]); }
+  static bool close(const Vec2& a, const Vec2& b, float most) {
+    return glm::all(glm::lessThan(glm::abs(a - b), Vec2(most)));
+  }
+  /// Its picture lies on it as it does on all of its surface.
+  bool straight(std::uint32_t t) const {
+    const auto lies = [&](std::size_t k) {
+      return close(mappings_[surface_[t]](points_[triangles_[t].corner[k]]), vertex(t, k).uv, kSamePlace);
+    };
+    return texture(t) == 0 || (lies(0) && lies(1) && lies(2));
   }
   bool flat(std::size_t t) const {
     return vertex(t, 0).normal == vertex(t, 1).normal && vertex(t, 1).normal == vertex(t, 2).normal;
@@ -95,11 +107,13 @@ class Levels {
            (vertex(t, 0).uv != none || vertex(t, 1).uv != none || vertex(t, 2).uv != none);
   }
 
-  /// What is of one colour; but a wall with windows is for itself, so that they stay where they are.
+  /// What is of one colour; but a wall with windows is for itself, so that they stay where they are, and so is what
+  /// wears a picture, whatever the means of its parts are.
   void paint() {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> paints;
+    std::map<std::array<std::uint32_t, 3>, std::uint32_t> paints;
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      const std::pair<std::uint32_t, std::uint32_t> own{vertex(t, 2).colour, windows(t) ? surface_[t] : 0};
+      const std::uint32_t worn = texture(t);
+      const std::array own{worn, worn > 0 ? 0 : vertex(t, 2).colour, worn > 0 || windows(t) ? surface_[t] : 0};
       triangles_[t].paint = paints.try_emplace(own, static_cast<std::uint32_t>(paints.size())).first->second;
     }
   }
@@ -139,11 +153,12 @@ class Levels {
     return vertex(t, static_cast<std::size_t>(std::ranges::find(corner, point) - corner.begin())).uv;
   }
   bool go_on(std::uint32_t s, std::uint32_t t, std::uint32_t a, std::uint32_t b) const {
+    const std::uint32_t worn = texture(s);
     const auto same = [&](std::uint32_t point) {
-      return glm::all(glm::lessThan(glm::abs(uv_at(s, point) - uv_at(t, point)), Vec2(kSameUv)));
+      return close(uv_at(s, point), uv_at(t, point), worn > 0 ? kSamePlace : kSameUv);
     };
-    return vertex(s, 2).colour == vertex(t, 2).colour && same(a) && same(b) &&
-           glm::dot(normal_of(vertex(s, 2)), normal_of(vertex(t, 2))) > kOneSurface;
+    if (worn != texture(t) || (worn == 0 && vertex(s, 2).colour != vertex(t, 2).colour)) return false;
+    return same(a) && same(b) && glm::dot(normal_of(vertex(s, 2)), normal_of(vertex(t, 2))) > kOneSurface;
   }
   Mapping mapping(std::uint32_t t) const {
     const Vec3d p(vertex(t, 0).position), a = Vec3d(vertex(t, 1).position) - p, b = Vec3d(vertex(t, 2).position) - p;
@@ -169,7 +184,8 @@ class Levels {
     return level;
   }
 
-  using Shared = std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, float, float>, std::uint32_t>;
+  using Shared =
+      std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, float, float>, std::uint32_t>;
   void lay(CityMesh& level, Shared& shared, std::uint32_t t, const Corners& corner, bool behind) const {
     const Vec3d &a = points_[corner[0]], twice = glm::cross(points_[corner[1]] - a, points_[corner[2]] - a);
     const Vec3d own = normal_of(vertex(surface_[t], 2)), now = glm::normalize(twice);
@@ -182,9 +198,9 @@ class Levels {
       v.uv = kept ? vertex(t, k).uv : mappings_[surface_[t]](points_[corner[k]]);
       const Vec3d out = kept ? normal_of(vertex(t, k)) : normal;
       v.normal = pack_normal(Vec3(behind ? -out : out));
-      const auto [at, fresh] = shared.try_emplace({corner[k], v.normal, v.colour, v.uv.x, v.uv.y},
+      const auto [at, fresh] = shared.try_emplace({corner[k], texture(t), v.normal, v.colour, v.uv.x, v.uv.y},
                                                   static_cast<std::uint32_t>(level.vertices.size()));
-      if (fresh) level.vertices.push_back(v);
+      if (fresh) level.vertices.push_back(v), wear(level, texture(t));
       level.indices.push_back(at->second);
     }
   }

@@ -60,6 +60,7 @@ class Laying {
     city_.frame = frame_of(all_);
     city_.attribution = std::move(all_.attribution);
     city_.attributes = std::move(all_.attributes);
+    city_.pictures = std::move(all_.pictures);
     for (const Issue& issue : all_.issues) told_.insert(issue.where);
     for (Work& work : all_.works) lay(work);
     read_terrain();

@@ -56,11 +56,15 @@ class Decoder {
  private:
   void ring(const Json& json) {
     const std::size_t first = out_.corners.size();
+    std::uint32_t number = 0;
     for (const Json& corner : array_in(&json, "a ring")) {
       const std::uint32_t v = number_below(corner, vertices_, "a boundary refers to vertex");
-      if (out_.corners.size() == first || out_.corners.back() != v) out_.corners.push_back(v);
+      if (out_.corners.size() == first || out_.corners.back() != v)
+        out_.corners.push_back(v), out_.number.push_back(number);
+      ++number;
     }
-    while (out_.corners.size() > first + 1 && out_.corners.back() == out_.corners[first]) out_.corners.pop_back();
+    while (out_.corners.size() > first + 1 && out_.corners.back() == out_.corners[first])
+      out_.corners.pop_back(), out_.number.pop_back();
     out_.ring_last.push_back(static_cast<std::uint32_t>(out_.corners.size()));
   }
 

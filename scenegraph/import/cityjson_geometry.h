@@ -23,6 +23,7 @@ struct Surfaces {
     std::uint32_t semantic = kNone;  ///< of geometry.semantics.surfaces
   };
   std::vector<std::uint32_t> corners, ring_last;
+  std::vector<std::uint32_t> number;  ///< a row a corner: which of its ring it is in the file, from 0
   std::vector<Face> faces;
   std::vector<std::uint32_t> part_last;  ///< a solid, or all of a set of surfaces
 };

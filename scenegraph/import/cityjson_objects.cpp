@@ -271,10 +271,13 @@ Work& Intake::work_of(const Json& objects, const std::string& root, Role role) {
 }
 
 Collected Intake::take() {
-  worn_.paint(folder_, out_.issues, [&](std::uint32_t surface, std::uint32_t rgb) {
-    const auto [work, face] = surfaces_[surface];
-    out_.works[work].colour[face] = rgb;
-  });
+  worn_.paint(folder_, out_.issues, out_.pictures,
+              [&](const OnPicture& part, std::uint32_t rgb, std::uint32_t texture) {
+                const auto [at, face] = surfaces_[part.surface];
+                Work& work = out_.works[at];
+                work.colour[face] = rgb;
+                wear(work.shape, face, work.number, part, texture);
+              });
   for (Work& work : out_.works) work.shape.attributes = row_of(work.said, work.source, out_.attributes);
   return std::move(out_);
 }
@@ -316,6 +319,7 @@ void Intake::append(Work& work, const Surfaces& surfaces, const Json& geometry, 
     if (fresh) shape.points.push_back(points[c]);
     shape.corners.push_back(at->second);
   }
+  std::ranges::copy(surfaces.number, std::back_inserter(work.number));
   for (const std::uint32_t last : surfaces.ring_last) shape.ring_last.push_back(corners + last);
   for (const std::uint32_t last : surfaces.part_last) shape.part_last.push_back(faces + last);
   const std::vector<FaceKind> kinds = kinds_of(geometry);

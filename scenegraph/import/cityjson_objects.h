@@ -28,6 +28,7 @@ struct Work {
   std::vector<std::pair<std::string, std::string>> said;  ///< attributes, the root's first
   std::vector<FaceKind> kinds;                            ///< a row a face
   std::vector<std::uint32_t> colour;                      ///< a row a face: of its picture or material; kNone
+  std::vector<std::uint32_t> number;                      ///< a row a corner: Surfaces::number
 };
 
 struct StandingTree {
@@ -42,6 +43,7 @@ struct Collected {
   std::vector<StandingTree> trees;
   std::vector<Issue> issues;
   AttributeWriter attributes;
+  Pictures pictures;
   std::string attribution;
 };
 

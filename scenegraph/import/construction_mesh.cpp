@@ -21,7 +21,7 @@ constexpr double kFarthestPoint = 1e5;  // metres from a construction's first po
 
 struct FaceTriangle {
   std::array<Vec3d, 3> p;
-  std::array<std::uint32_t, 3> corner;  // kNew: made by mending
+  std::array<std::uint32_t, 3> corner;  // of the construction; kNew: made by mending
 };
 constexpr std::uint32_t kNew = UINT32_MAX;
 
@@ -93,6 +93,7 @@ class Builder {
     std::uint32_t face = 0;
     Plane plane;
     std::vector<FaceTriangle> triangles;
+    std::uint32_t texture = 0;
   };
   using Part = std::vector<CutFace>;
 
@@ -100,6 +101,8 @@ class Builder {
     const std::uint32_t first = r == 0 ? 0 : work_.ring_last[r - 1];
     return std::span(work_.corners).subspan(first, work_.ring_last[r] - first);
   }
+
+  std::uint32_t point(std::uint32_t corner) const { return work_.corners[corner]; }
 
   void cut(std::uint32_t face) {
     const std::uint32_t first = face == 0 ? 0 : work_.faces[face - 1].last_ring, last = work_.faces[face].last_ring;
@@ -109,13 +112,15 @@ class Builder {
     corner_at_.clear();
     for (std::uint32_t r = first; r < last; ++r) {
       std::vector<Vec2d>& flat = r == first ? shape.outer : shape.holes.emplace_back();
-      for (const std::uint32_t c : ring(r)) {
+      for (const std::uint32_t& c : ring(r)) {
         flat.push_back(plane->flat(points_[c]));
-        corner_at_.try_emplace({flat.back().x, flat.back().y}, c);
+        corner_at_.try_emplace({flat.back().x, flat.back().y}, static_cast<std::uint32_t>(&c - work_.corners.data()));
       }
     }
-    CutFace done{face, *plane, {}};
+    CutFace done{face, *plane, {}, work_.faces[face].texture};
     for (const plan::Triangle& t : triangulated(shape)) done.triangles.push_back(lifted(*plane, t));
+    for (const FaceTriangle& t : done.triangles)  // where it was mended nobody knows the picture's place
+      if (std::ranges::find(t.corner, kNew) != t.corner.end()) done.texture = 0;
     if (!done.triangles.empty()) parts_.back().push_back(std::move(done));
   }
 
@@ -137,7 +142,7 @@ class Builder {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto at = corner_at_.find({t[k].x, t[k].y});
       result.corner[k] = at == corner_at_.end() ? kNew : at->second;
-      result.p[k] = at == corner_at_.end() ? plane.lifted(t[k]) : points_[at->second];
+      result.p[k] = at == corner_at_.end() ? plane.lifted(t[k]) : points_[point(at->second)];
     }
     return result;
   }
@@ -189,15 +194,15 @@ class Builder {
   }
 
   /// > 0: closed, normals outward; < 0: closed, inward; 0: open.
-  static double closed_volume(const Part& part) {
+  double closed_volume(const Part& part) const {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
     double six = 0;
     for (const CutFace& cut : part)
       for (const FaceTriangle& t : cut.triangles) {
         six += glm::dot(t.p[0], glm::cross(t.p[1], t.p[2]));
         for (std::size_t k = 0; k < 3; ++k) {
-          const std::uint32_t a = t.corner[k], b = t.corner[(k + 1) % 3];
-          if (a == kNew || b == kNew) return 0;
+          if (t.corner[k] == kNew || t.corner[(k + 1) % 3] == kNew) return 0;
+          const std::uint32_t a = point(t.corner[k]), b = point(t.corner[(k + 1) % 3]);
           a < b ? ++balance[{a, b}] : --balance[{b, a}];
         }
       }
@@ -224,21 +229,22 @@ class Builder {
       const bool flat = glm::dot(twice, cut.plane.normal) > 0.9998 * size;
       if (!flat) shared_.clear();
       std::array<std::uint32_t, 3> rows{};
-      for (std::size_t k = 0; k < 3; ++k)
-        rows[k] = vertex(cut, t.p[k], side * (flat ? cut.plane.normal : twice / size));
+      for (std::size_t k = 0; k < 3; ++k) rows[k] = vertex(cut, t, k, side * (flat ? cut.plane.normal : twice / size));
       if (turned) std::swap(rows[1], rows[2]);
       mesh_.indices.insert(mesh_.indices.end(), rows.begin(), rows.end());
       if (!flat) shared_.clear();
     }
   }
 
-  std::uint32_t vertex(const CutFace& cut, const Vec3d& p, const Vec3d& normal) {
+  std::uint32_t vertex(const CutFace& cut, const FaceTriangle& t, std::size_t k, const Vec3d& normal) {
+    const Vec3d& p = t.p[k];
     const auto [at, fresh] = shared_.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(mesh_.vertices.size()));
     if (!fresh) return at->second;
     const ConstructionFeature::Face& face = work_.faces[cut.face];
     const Vec3 laid(glm::normalize(laying_.normals * normal));
-    mesh_.vertices.push_back(
-        {Vec3(laying_.place(p)), pack_normal(laid), pack_colour(face.rgb, face.kind), uv(cut, p), 0});
+    const Vec2 place = cut.texture > 0 ? work_.uv[t.corner[k]] : uv(cut, p);
+    mesh_.vertices.push_back({Vec3(laying_.place(p)), pack_normal(laid), pack_colour(face.rgb, face.kind), place, 0});
+    wear(mesh_, cut.texture);
     return at->second;
   }
 

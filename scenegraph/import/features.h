@@ -47,6 +47,7 @@ struct ConstructionFeature {
     std::uint32_t last_ring = 0;  ///< begins where the face before it ends
     std::uint32_t rgb = 0xb4b2ab;
     Material kind = Material::concrete;  ///< wall, roof or concrete
+    std::uint32_t texture = 0;           ///< of CityFeatures::pictures, from 1; 0: none
   };
   std::string where;
   std::vector<Vec3d> points;
@@ -54,6 +55,7 @@ struct ConstructionFeature {
   std::vector<std::uint32_t> ring_last;  ///< of corners; a ring begins where the one before it ends
   std::vector<Face> faces;
   std::vector<std::uint32_t> part_last;  ///< of faces; likewise
+  std::vector<Vec2> uv;                  ///< a row a corner: right and up on the face's picture; empty: no face has one
   std::uint32_t attributes = 0;          ///< row of CityFeatures::attributes
 };
 
@@ -109,6 +111,7 @@ struct CityFeatures {
   std::vector<PlacedPlant> plants;
   std::vector<AreaFeature> areas;
   std::vector<Issue> issues;
+  Pictures pictures;
   AttributeWriter attributes;  ///< what the file says of each; empty unless ImportOptions::attributes
   bool left_hand_traffic = false;
   std::string attribution;

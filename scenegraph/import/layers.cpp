@@ -1,6 +1,7 @@
 #include "scenegraph/import/layers.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -24,6 +25,8 @@ void append(MeshRows& rows, const CityMesh& mesh, std::uint32_t block) {
     v.block = block;
     rows.mesh.vertices.own().push_back(v);
   }
+  if (!mesh.textures.empty()) rows.mesh.textures.own().resize(base);
+  std::ranges::copy(mesh.textures, std::back_inserter(rows.mesh.textures.own()));
   for (const std::uint32_t i : mesh.indices) rows.mesh.indices.own().push_back(static_cast<std::uint32_t>(base) + i);
   rows.index_first.push_back(static_cast<std::uint32_t>(rows.mesh.indices.size()));
 }

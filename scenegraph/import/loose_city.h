@@ -17,6 +17,7 @@ struct LooseCity {
   std::vector<TreeObject> trees;
   Traffic traffic;
   Attributes attributes;
+  Pictures pictures;
   std::string attribution;
   std::vector<Issue> issues;
 };

@@ -59,8 +59,10 @@ void merge(CityFeatures& into, CityFeatures more) {
   };
   append(into.buildings, std::move(more.buildings),
          [&](BuildingFeature& b) { return said(b), move.all(b.footprint), move.near(b.footprint.outer); });
+  const std::uint32_t textures = join(into.pictures, std::move(more.pictures));
   append(into.constructions, std::move(more.constructions), [&](ConstructionFeature& c) {
     said(c);
+    for (ConstructionFeature::Face& face : c.faces) face.texture += face.texture > 0 ? textures : 0;
     for (Vec3d& p : c.points) p = {move(Vec2d(p)), p.z};
     return c.points.empty() || move.near(Vec2d(c.points[0]));
   });

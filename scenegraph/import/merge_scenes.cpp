@@ -1,4 +1,5 @@
 // Blocks have frames of their own: to move a city is to move these, and no vertex changes.
+#include <algorithm>
 #include <chrono>
 #include <iterator>
 #include <unordered_map>
@@ -49,6 +50,7 @@ class Loosener {
       out_.traffic.points.own().push_back({move_(point.position), point.s, move_.turn * point.forward});
     out_.attributes = scene_.attributes;
     out_.attributes.row_of_object.clear();
+    out_.pictures = scene_.pictures;
     out_.attribution = scene_.attribution;
     return std::move(out_);
   }
@@ -104,7 +106,7 @@ class Loosener {
     for (std::uint32_t i = rows.index_first[row]; i < rows.index_first[row + 1]; ++i) {
       const std::uint32_t vertex = rows.mesh.indices[i];
       const auto [at, fresh] = place_.try_emplace(vertex, static_cast<std::uint32_t>(out.vertices.size()));
-      if (fresh) out.vertices.push_back(rows.mesh.vertices[vertex]);
+      if (fresh) out.vertices.push_back(rows.mesh.vertices[vertex]), wear(out, texture_of(rows.mesh, vertex));
       out.indices.push_back(at->second);
     }
     return out;
@@ -134,6 +136,18 @@ void join(Traffic& into, Traffic&& more, std::uint32_t blocks) {
   append(into.circuits, more.circuits), append(into.offsets, more.offsets);
 }
 
+/// Buildings alone wear pictures.
+void join_pictures(LooseCity& into, LooseCity& more) {
+  const std::uint32_t textures = join(into.pictures, std::move(more.pictures));
+  const auto move = [&](CityMesh& mesh) {
+    for (std::uint32_t& texture : mesh.textures) texture += texture > 0 ? textures : 0;
+  };
+  for (MeshObject& object : more.buildings) {
+    move(object.mesh);
+    std::ranges::for_each(object.levels, move);
+  }
+}
+
 void each_object(LooseCity& city, auto&& visit) {
   for (MeshObject& object : city.buildings) visit(object.block, object.attributes);
   for (MeshObject& object : city.surfaces) visit(object.block, object.attributes);
@@ -157,6 +171,7 @@ LooseCity loosened(const Imported& city, const LocalFrame& frame) { return Loose
 void join(LooseCity& into, LooseCity more) {
   const auto blocks = static_cast<std::uint32_t>(into.blocks.size());
   into.attributes = join_attributes(into, more);
+  join_pictures(into, more);
   each_object(more, [&](std::uint32_t& block, std::uint32_t) { block += blocks; });
   const auto append = [](auto& to, auto& from) { std::move(from.begin(), from.end(), std::back_inserter(to)); };
   append(into.blocks, more.blocks), append(into.buildings, more.buildings), append(into.surfaces, more.surfaces);

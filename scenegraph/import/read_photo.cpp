@@ -191,7 +191,7 @@ GroundPhoto read(GDALDataset& data, const LocalFrame& frame, const culling::BoxD
     }
   if (std::ranges::all_of(level.texels, [](const Texel& t) { return t[3] == 0; }))
     throw std::runtime_error("has nothing where the city is");
-  add_levels(photo);
+  add_levels(photo.levels);
   return photo;
 }
 

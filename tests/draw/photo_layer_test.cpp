@@ -21,7 +21,7 @@ GroundPhoto make_photo(const Vec2d& origin, double step, std::uint32_t side, Col
   GroundPhoto photo{origin, step, {{side, side, {}}}};
   for (std::uint32_t r = 0; r < side; ++r)
     for (std::uint32_t c = 0; c < side; ++c) photo.levels[0].texels.push_back(colour(c, r));
-  add_levels(photo);
+  add_levels(photo.levels);
   return photo;
 }
 

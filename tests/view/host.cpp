@@ -100,7 +100,8 @@ std::shared_ptr<const Model> town() {
 void bring_all(View& view, const HostWindow& window, const HostCamera& camera) {
   const std::array<HostCamera, 1> cameras{camera};
   for (int frame = 0; frame < 100'000; ++frame) {
-    if (view.update(cameras, 0).far_trees_left > 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const Update& now = view.update(cameras, 0);
+    if (now.far_trees_left + now.pictures_left > 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     window.bind();
     view.render(0);
     if (view.complete()) return;

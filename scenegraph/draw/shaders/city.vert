@@ -12,7 +12,7 @@ layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec2 out_uv;
 layout(location = 3) out vec3 out_place;
 layout(location = 4) flat out vec3 out_albedo;
-layout(location = 5) flat out uvec2 out_kind;  // material, seed; streets: material, lanes
+layout(location = 5) flat out uvec2 out_kind;  // material, seed; streets: material, lanes; pictures: material, texture
 layout(location = 6) flat out float out_share;
 
 void main() {
@@ -26,6 +26,6 @@ void main() {
   out_place = position;
   vec3 s = vec3(colour & 255u, colour >> 8 & 255u, colour >> 16 & 255u) * (1.0 / 255.0);
   out_albedo = from_srgb(s);
-  out_kind = uvec2(colour >> 24, (block >> 24) != 0u ? block >> 24 : colour ^ block * 2654435761u);
+  out_kind = uvec2(colour >> 24, seed_of(colour, block));
   gl_Position = frame.view_projection * vec4(out_rel, 1.0);
 }

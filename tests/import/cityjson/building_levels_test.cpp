@@ -119,6 +119,43 @@ TEST_CASE("a cut up plane becomes two triangles and what lies on it goes on") {
   CHECK(area(level, [](const CityVertex&) { return true; }) == Approx(64));
 }
 
+TEST_CASE("what wears a picture keeps its place on it and meets what wears another where it did") {
+  constexpr int kSide = 8;
+  CityMesh mesh = grid(kSide, [](double, double) { return 0; });
+  const auto place = [](std::uint32_t texture, const Vec3& p) {
+    return texture == 1 ? Vec2(p.x / 8, p.y / 8 + 0.1F) : Vec2(0.3F - p.y / 9, p.x / 7);
+  };
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const std::uint32_t texture = v / 4 % kSide < 3 ? 1 : 2;
+    mesh.textures.push_back(texture);
+    mesh.vertices[v].uv = place(texture, mesh.vertices[v].position);
+    mesh.vertices[v].colour = pack_colour(static_cast<std::uint32_t>(v / 4), Material::wall);  // each part its own mean
+  }
+  const CityMesh level = levels_of(mesh)[0];
+  CHECK(level.indices.size() == 12);
+  REQUIRE(level.textures.size() == level.vertices.size());
+  std::array<double, 3> areas{};
+  for (std::size_t i = 0; i + 2 < level.indices.size(); i += 3) {
+    const std::uint32_t texture = level.textures[level.indices[i]];
+    areas.at(texture) += glm::length(glm::cross(at(level, i + 1) - at(level, i), at(level, i + 2) - at(level, i))) / 2;
+    for (std::size_t k = i; k < i + 3; ++k) {
+      CHECK(level.textures[level.indices[k]] == texture);
+      const CityVertex& v = level.vertices[level.indices[k]];
+      CHECK(glm::distance(v.uv, place(texture, v.position)) < 1e-5F);
+    }
+  }
+  CHECK(areas[1] == Approx(24));
+  CHECK(areas[2] == Approx(40));
+}
+
+TEST_CASE("where a picture is bent over a surface its corners stay") {
+  CityMesh mesh = grid(8, [](double, double) { return 0; });
+  for (CityVertex& v : mesh.vertices) v.uv = Vec2(v.position.x * v.position.x, v.position.y) / 64.0F;
+  CHECK(levels_of(mesh)[0].indices.size() == 6);  // tiles may go on as they like
+  mesh.textures.assign(mesh.vertices.size(), 1);
+  for (const CityMesh& level : levels_of(mesh)) CHECK(level.indices.empty());
+}
+
 TEST_CASE("a cut up cube becomes twelve triangles that are closed and no more at coarser levels") {
   const CityMesh mesh = cube(5);
   REQUIRE(open_edges(mesh) == 0);

@@ -74,6 +74,17 @@ TEST_CASE("the mean of a picture's part is that of its light and of what is not 
   CHECK(mean({0, Wrap::repeat, {rectangle(0, 0, 1e30, 1)}}) == kNone);
 }
 
+TEST_CASE("the mean is of what lies beyond the edges too") {
+  const foliage::Picture picture = two_halves();
+  const auto mean = [&](Wrap wrap, std::uint32_t border) {
+    return mean_colour(picture, {0, wrap, {rectangle(1, 0, 3, 0.5)}, border});
+  };
+  CHECK(mean(Wrap::border, 0xff0000c8) == 0xc80000);
+  CHECK(mean(Wrap::border, 0x000000c8) == kNone);
+  CHECK(mean(Wrap::none, 0xff0000c8) == kNone);
+  CHECK(mean(Wrap::clamp, 0xff0000c8) == 0x000064);
+}
+
 TEST_CASE("surfaces get the colour of the picture that they wear and keep theirs where there is none") {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() / "looks");
@@ -166,4 +177,46 @@ TEST_CASE("the one picture that lies beside Rotterdam colours the surface that w
     for (std::size_t f = 0; f < city.constructions[w].faces.size(); ++f)
       other += city.constructions[w].faces[f].rgb != plain.constructions[w].faces[f].rgb ? 1 : 0;
   CHECK(other == 1);
+}
+
+TEST_CASE("corners know their place on the picture that is there once however it is named") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "looks");
+  write_plain(folder.path() / "looks/wall.png", 10, 200, 30);
+  Json json = textured("looks/wall.png", "./looks/../looks/wall.png");
+  json["appearance"]["textures"][1]["wrapMode"] = "border";
+  json["appearance"]["textures"][1]["borderColor"] = {0, 1, 0.2, 0.4};
+  const CityFeatures city = read_in(json, folder.path());
+  REQUIRE(city.pictures.encoded.size() == 1);
+  CHECK(city.pictures.encoded[0].name == "looks/wall.png");
+  CHECK(city.pictures.encoded[0].width == 8);
+  const std::vector<Texture> expected{{0, Wrap::repeat, 0}, {0, Wrap::border, 0x6633ff00}};
+  CHECK(city.pictures.textures == expected);
+  const ConstructionFeature& house = city.constructions.at(0);
+  const std::vector<std::uint32_t> worn{0, 1, 2, 0, 0, 0};
+  for (std::size_t f = 0; f < worn.size(); ++f) CHECK(house.faces[f].texture == worn[f]);
+  REQUIRE(house.uv.size() == house.corners.size());
+  const std::vector<Vec2> places{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {0.5, 0}, {0.5, 1}, {0, 1}};
+  for (std::size_t i = 0; i < places.size(); ++i) CHECK(house.uv[4 + i] == places[i]);
+}
+
+TEST_CASE("places keep to their corners where a ring names a vertex twice") {
+  const TemporaryFolder folder;
+  write_plain(folder.path() / "a.png", 1, 2, 3);
+  Json json = textured("a.png", "a.png");
+  json["CityObjects"]["house"]["geometry"][0]["boundaries"][0][1] = {{4, 5, 5, 7, 6, 4}};
+  auto& values = json["CityObjects"]["house"]["geometry"][0]["texture"]["seen"]["values"];
+  values[0][1] = {{0, 0, 1, 4, 2, 3, 0}};
+  const ConstructionFeature house = read_in(json, folder.path()).constructions.at(0);
+  const std::vector<Vec2> places{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (std::size_t i = 0; i < 4; ++i) CHECK(house.uv[4 + i] == places[i]);
+  values[0][1] = {{0, 0, 1, 2}};  // fewer places than corners: no picture, but its mean
+  const ConstructionFeature other = read_in(json, folder.path()).constructions.at(0);
+  CHECK(other.faces[1].texture == 0);
+  CHECK(other.faces[1].rgb == 0x010203);
+  values[0][1] = {{0, 0, 1, 2, 3, 6, 0}};  // there is no place 6
+  CHECK(read_in(json, folder.path()).constructions.at(0).faces[1].texture == 0);
+  json["appearance"]["vertices-texture"][2] = {1e300, 0};
+  values[0][1] = {{0, 0, 1, 4, 2, 3, 0}};
+  CHECK(read_in(json, folder.path()).constructions.at(0).faces[1].texture == 0);
 }
