@@ -6,7 +6,7 @@
 namespace manzana {
 
 std::uint32_t side_of(const EncodedPicture& picture) {
-  const std::uint64_t texels = std::uint64_t{picture.width} * picture.height;
+  const std::uint64_t texels = std::uint64_t{picture.worn.width} * picture.worn.height;
   std::uint32_t side = 1;
   while (side < kLargestSquare && std::uint64_t{side} * side < texels) side *= 2;
   return side;

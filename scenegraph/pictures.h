@@ -31,12 +31,19 @@ struct Texture {
   bool operator==(const Texture&) const = default;
 };
 
+/// Pixels of a picture, from its left and its top.
+struct PicturePart {
+  std::uint32_t left = 0, top = 0, width = 0, height = 0;
+  bool operator==(const PicturePart&) const = default;
+};
+
 /// In a file, `name`, in the folder or below it and nowhere else; or in `bytes`, where these are not empty.
 struct EncodedPicture {
   std::filesystem::path folder;
   std::string name;
   Column<std::byte> bytes;
   std::uint32_t width = 0, height = 0;
+  PicturePart worn = {};  ///< the part that is worn: no other is drawn
 };
 
 struct Pictures {
@@ -44,13 +51,13 @@ struct Pictures {
   std::vector<Texture> textures;  ///< what CityMesh::textures counts from 1
 };
 
-/// A picture as what draws has it: stretched to a square whose side is a power of two, from full size down to one
-/// texel. Texels are as GroundPhoto's: multiplied by alpha; rows from the bottom.
+/// What is worn of a picture as what draws has it: stretched to a square whose side is a power of two, from full size
+/// down to one texel. Texels are as GroundPhoto's: multiplied by alpha; rows from the bottom.
 using PictureSquare = std::vector<GroundPhoto::Level>;
 
 /// More than this a picture's square never has a side.
 inline constexpr std::uint32_t kLargestSquare = 2048;
-/// About as many texels as the picture has: a power of two, at most kLargestSquare.
+/// About as many texels as what is worn of the picture has: a power of two, at most kLargestSquare.
 std::uint32_t side_of(const EncodedPicture& picture);
 
 /// The others follow; what is to be added to numbers of their textures that are not 0.

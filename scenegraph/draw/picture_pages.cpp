@@ -73,7 +73,15 @@ PicturePages::PicturePages(const Pictures& pictures, std::size_t most_bytes)
       most_pages_(most_pages(room_.side(), most_bytes)),
       pages_(make_pages(1, 1)),
       worn_(gl::make_buffer(pictures.textures.size() * sizeof(glsl::WornData))) {
-  for (std::size_t p = 0; p < rows_.size(); ++p) rows_[p].full = std::min(room_.side(), side_of(pictures.encoded[p]));
+  for (std::size_t p = 0; p < rows_.size(); ++p) {
+    const EncodedPicture& picture = pictures.encoded[p];
+    const PicturePart& worn = picture.worn;
+    const Vec2d all(picture.width, picture.height), part(worn.width, worn.height);
+    const Vec2d low = Vec2d(worn.left, picture.height - worn.top - worn.height) / all;
+    rows_[p].full = std::min(room_.side(), side_of(picture));
+    rows_[p].share = std::max(part.x / all.x, part.y / all.y);
+    rows_[p].part = Vec4(Vec2(low), Vec2(all / part));
+  }
   for (std::uint32_t t = 0; t < textures_.size(); ++t) rows_[textures_[t].picture].textures.push_back(t);
   in_sight_.reserve(rows_.size());
   wanted_.reserve(rows_.size());
@@ -91,7 +99,7 @@ void PicturePages::begin() {
 
 void PicturePages::see(std::uint32_t picture, double pixels) {
   Row& row = rows_[picture];
-  const std::uint32_t side = side_for(pixels, row.full);
+  const std::uint32_t side = side_for(pixels * row.share, row.full);
   if (row.seen != now_) in_sight_.push_back(picture), row.need = 0;
   row.seen = now_;
   row.need = std::max(row.need, side);
@@ -182,6 +190,7 @@ void PicturePages::tell(const Row& row) const {
       const Square& s = *row.held;
       data.place = Vec4(static_cast<float>(s.x) / page, static_cast<float>(s.y) / page,
                         static_cast<float>(s.side) / page, static_cast<float>(levels_of(s.side) - 1));
+      data.part = row.part;
       data.how = {s.page + 1, static_cast<std::uint32_t>(textures_[t].wrap), textures_[t].border, 0};
     }
     glNamedBufferSubData(worn_.name(), static_cast<GLintptr>(t * sizeof data), sizeof data, &data);

@@ -29,7 +29,7 @@ class PicturePages {
 
   PicturePages(const Pictures& pictures, std::size_t most_bytes);
   void begin();
-  /// In sight, about so many pixels a side.
+  /// In sight, the longer side of the whole picture about so many pixels.
   void see(std::uint32_t picture, double pixels);
   void end();
   /// Of what is in sight: not held, or coarser than a pixel.
@@ -43,6 +43,8 @@ class PicturePages {
  private:
   struct Row {
     std::uint32_t full = 1;  ///< side
+    double share = 1;        ///< of the picture's side that is worn, the larger one
+    Vec4 part{0, 0, 1, 1};   ///< WornData
     std::vector<std::uint32_t> textures;
     std::optional<Square> held;
     std::uint32_t need = 0;  ///< side, of this picture

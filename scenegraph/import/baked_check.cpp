@@ -168,7 +168,7 @@ void check_pictures(const Pictures& pictures) {
   for (const Texture& texture : pictures.textures)
     need(texture.picture < pictures.encoded.size() && texture.wrap < Wrap::count, "a texture");
   for (const EncodedPicture& picture : pictures.encoded)
-    need(!picture.bytes.empty() && picture.width > 0 && picture.height > 0, "a picture");
+    need(!picture.bytes.empty() && picture.worn.width > 0 && picture.worn.height > 0, "a picture");
 }
 
 void check_blocks(const Scene& scene) {

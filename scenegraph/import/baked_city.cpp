@@ -77,6 +77,7 @@ void each_column(AnyScene& scene, Visit&& visit) {
 struct PictureRow {
   std::uint64_t last = 0;
   std::uint32_t width = 0, height = 0;
+  PicturePart worn;
 };
 constexpr std::uint32_t kPictureRows = 60, kPictureBytes = 61;
 
@@ -166,7 +167,7 @@ void add_pictures(Writer& writer, const Pictures& pictures) {
   std::vector<unsigned char> all;
   for (const EncodedPicture& picture : pictures.encoded) {
     std::ranges::copy(bytes_of(picture), std::back_inserter(all));
-    rows.push_back({all.size(), picture.width, picture.height});
+    rows.push_back({all.size(), picture.width, picture.height, picture.worn});
   }
   writer.add(kPictureRows, rows), writer.add(kPictureBytes, all);
 }
@@ -243,7 +244,7 @@ void take_pictures(const Reader& reader, const std::shared_ptr<const void>& file
     if (row.last < first || row.last > bytes.size()) throw std::runtime_error("is damaged: a picture");
     const auto own = bytes.items().subspan(first, row.last - first);
     EncodedPicture& picture = pictures.encoded.emplace_back();
-    picture.width = row.width, picture.height = row.height;
+    picture.width = row.width, picture.height = row.height, picture.worn = row.worn;
     if (file)
       picture.bytes = Column<std::byte>(own, file);
     else

@@ -143,20 +143,53 @@ std::uint32_t packed_rgb(const Vec3& linear) {
   return byte(linear.r) << 16 | byte(linear.g) << 8 | byte(linear.b);
 }
 
+/// All of it on the picture: nothing is beyond its edges.
+bool on_picture(const OnPicture& part) {
+  return std::ranges::all_of(part.rings, [](const auto& ring) {
+    return std::ranges::all_of(ring, [](const Vec2d& p) { return p == glm::clamp(p, 0.0, 1.0); });
+  });
+}
+
+/// The pixels that the part is on, and those beside it.
+PicturePart pixels_of(const OnPicture& part, const EncodedPicture& picture) {
+  if (!on_picture(part)) return {0, 0, picture.width, picture.height};
+  Vec2d low(1), high(0);
+  for (const auto& ring : part.rings)
+    for (const Vec2d& p : ring) low = glm::min(low, p), high = glm::max(high, p);
+  const auto first = [](double at, std::uint32_t n) {
+    return static_cast<std::uint32_t>(std::max(0.0, std::floor(at * n) - 1));
+  };
+  const auto last = [](double at, std::uint32_t n) {
+    return static_cast<std::uint32_t>(std::min<double>(n, std::ceil(at * n) + 1));
+  };
+  const std::uint32_t left = first(low.x, picture.width), top = first(1 - high.y, picture.height);
+  return {left, top, last(high.x, picture.width) - left, last(1 - low.y, picture.height) - top};
+}
+
+PicturePart merged(const PicturePart& a, const PicturePart& b) {
+  if (a.width == 0) return b;
+  const std::uint32_t left = std::min(a.left, b.left), top = std::min(a.top, b.top);
+  return {left, top, std::max(a.left + a.width, b.left + b.width) - left,
+          std::max(a.top + a.height, b.top + b.height) - top};
+}
+
 /// A picture among those of a city once something wears it, and how it is worn.
 class Wearing {
  public:
   Wearing(Pictures& pictures, const std::filesystem::path& folder, const std::string& image,
           const foliage::Picture& picture)
       : pictures_(pictures), first_(pictures.textures.size()) {
-    encoded_ = {
-        folder, image, {}, static_cast<std::uint32_t>(picture.width), static_cast<std::uint32_t>(picture.height)};
+    const auto width = static_cast<std::uint32_t>(picture.width), height = static_cast<std::uint32_t>(picture.height);
+    encoded_ = {folder, image, {}, width, height, {}};
   }
-  /// From 1.
+  /// From 1. What is all on the picture has no need to know what is beyond.
   std::uint32_t texture(const OnPicture& part) {
     auto& textures = pictures_.textures;
     if (textures.size() == first_) pictures_.encoded.push_back(std::move(encoded_));
-    const Texture own{static_cast<std::uint32_t>(pictures_.encoded.size() - 1), part.wrap, part.border};
+    const auto last = static_cast<std::uint32_t>(pictures_.encoded.size() - 1);
+    EncodedPicture& picture = pictures_.encoded.back();
+    picture.worn = merged(picture.worn, pixels_of(part, picture));
+    const Texture own = on_picture(part) ? Texture{last, Wrap::clamp, 0} : Texture{last, part.wrap, part.border};
     const auto at = std::find(textures.begin() + static_cast<std::ptrdiff_t>(first_), textures.end(), own);
     const auto found = static_cast<std::uint32_t>(at - textures.begin());
     if (at == textures.end()) textures.push_back(own);

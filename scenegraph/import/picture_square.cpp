@@ -26,13 +26,16 @@ void covered(std::size_t i, std::size_t n, std::size_t size, Visit&& visit) {
   }
 }
 
-/// Linear light times alpha, and alpha, of a row stretched to so many texels.
-std::vector<Vec4> stretched_row(const foliage::Picture& picture, std::size_t row, std::size_t side) {
-  const auto width = static_cast<std::size_t>(picture.width);
+/// Linear light times alpha, and alpha, of a row of the part stretched to so many texels.
+std::vector<Vec4> stretched_row(const foliage::Picture& picture, const PicturePart& part, std::size_t row,
+                                std::size_t side) {
+  const std::size_t width = part.width;
+  const std::uint8_t* first =
+      &picture.rgba[4 * ((part.top + row) * static_cast<std::size_t>(picture.width) + part.left)];
   const foliage::LinearBytes& linear = foliage::linear_of_srgb();
   std::vector<Vec4> light(width), texels(side, Vec4(0));
   for (std::size_t x = 0; x < width; ++x) {
-    const std::uint8_t* p = &picture.rgba[4 * (row * width + x)];
+    const std::uint8_t* p = first + 4 * x;
     light[x] = Vec4(linear[p[0]], linear[p[1]], linear[p[2]], 1) * (static_cast<float>(p[3]) / 255);
   }
   for (std::size_t x = 0; x < side; ++x)
@@ -48,21 +51,31 @@ GroundPhoto::Texel packed(const Vec4& light) {
 }
 
 /// Rows of a picture go from the top, those of a square from the bottom.
-GroundPhoto::Level stretched(const foliage::Picture& picture, std::uint32_t side) {
+GroundPhoto::Level stretched(const foliage::Picture& picture, const PicturePart& part, std::uint32_t side) {
   GroundPhoto::Level level{side, side, {}};
   level.texels.reserve(std::size_t{side} * side);
-  const auto height = static_cast<std::size_t>(picture.height);
+  const std::size_t height = part.height;
   std::size_t known = height;  // the row that `row` is of
   std::vector<Vec4> row, sum;
   for (std::size_t y = side; y-- > 0;) {
     sum.assign(side, Vec4(0));
     covered(y, side, height, [&](std::size_t from, float share) {
-      if (from != known) row = stretched_row(picture, known = from, side);
+      if (from != known) row = stretched_row(picture, part, known = from, side);
       for (std::size_t x = 0; x < side; ++x) sum[x] += row[x] * share;
     });
     std::ranges::transform(sum, std::back_inserter(level.texels), packed);
   }
   return level;
+}
+
+bool has(const foliage::Picture& decoded, const EncodedPicture& picture) {
+  const auto reaches = [](std::uint32_t first, std::uint32_t n, std::uint32_t all) {
+    return n > 0 && first < all && n <= all - first;
+  };
+  return static_cast<std::uint32_t>(decoded.width) == picture.width &&
+         static_cast<std::uint32_t>(decoded.height) == picture.height &&
+         reaches(picture.worn.left, picture.worn.width, picture.width) &&
+         reaches(picture.worn.top, picture.worn.height, picture.height);
 }
 
 }  // namespace
@@ -81,7 +94,9 @@ std::vector<unsigned char> bytes_of(const EncodedPicture& picture) {
 
 std::optional<PictureSquare> picture_square(const EncodedPicture& picture, std::uint32_t side) {
   try {
-    PictureSquare square{stretched(foliage::decode_picture(bytes_of(picture)), side)};
+    const foliage::Picture decoded = foliage::decode_picture(bytes_of(picture));
+    if (!has(decoded, picture)) return std::nullopt;  // it is another one by now
+    PictureSquare square{stretched(decoded, picture.worn, side)};
     tbb::task_arena(1).execute([&] { add_levels(square); });  // on this thread alone
     return square;
   } catch (const std::exception&) {

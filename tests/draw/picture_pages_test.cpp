@@ -18,7 +18,7 @@ bool apart(const Square& a, const Square& b) {
 Pictures made(std::uint32_t n) {
   Pictures pictures;
   for (std::uint32_t p = 0; p < n; ++p) {
-    pictures.encoded.push_back({{}, "", {}, 256, 256});
+    pictures.encoded.push_back({{}, "", {}, 256, 256, {0, 0, 256, 256}});
     pictures.textures.push_back({p, Wrap::repeat, 0});
   }
   return pictures;

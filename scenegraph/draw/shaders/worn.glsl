@@ -19,14 +19,15 @@ vec4 beyond_edge(uint wrap, uint border) {
 
 // What shows of a picture, 1 to row's count, on a surface of that colour: this alone where the picture is not held.
 vec3 worn_colour(vec3 base, vec2 at, uint texture_number) {
-  float step = max(length(dFdx(at)), length(dFdy(at)));
+  vec2 along_x = dFdx(at), along_y = dFdy(at);
   uint row = texture_number - 1u;
   if (row >= uint(worn_rows.length())) return base;
   WornData worn = worn_rows[row];
   if (worn.how.x == 0u) return base;
+  float step = max(length(along_x * worn.part.zw), length(along_y * worn.part.zw));
   float level = clamp(log2(max(step, 1e-9)) + worn.place.w, 0.0, worn.place.w);
   float edge = min(0.5 * exp2(ceil(level) - worn.place.w), 0.5);
-  vec2 inside = clamp(folded(at, worn.how.y), edge, 1.0 - edge);
+  vec2 inside = clamp((folded(at, worn.how.y) - worn.part.xy) * worn.part.zw, edge, 1.0 - edge);
   vec4 seen = textureLod(picture_pages, vec3(worn.place.xy + worn.place.z * inside, float(worn.how.x - 1u)), level);
   bool beyond = at != clamp(at, 0.0, 1.0);
   if (beyond && (worn.how.y == kNoWrap || worn.how.y == kBorder)) seen = beyond_edge(worn.how.y, worn.how.z);

@@ -186,17 +186,19 @@ TEST_CASE("corners know their place on the picture that is there once however it
   Json json = textured("looks/wall.png", "./looks/../looks/wall.png");
   json["appearance"]["textures"][1]["wrapMode"] = "border";
   json["appearance"]["textures"][1]["borderColor"] = {0, 1, 0.2, 0.4};
+  json["appearance"]["vertices-texture"][5] = {0.5, 1.5};
   const CityFeatures city = read_in(json, folder.path());
   REQUIRE(city.pictures.encoded.size() == 1);
   CHECK(city.pictures.encoded[0].name == "looks/wall.png");
   CHECK(city.pictures.encoded[0].width == 8);
-  const std::vector<Texture> expected{{0, Wrap::repeat, 0}, {0, Wrap::border, 0x6633ff00}};
+  CHECK(city.pictures.encoded[0].worn == PicturePart{0, 0, 8, 8});
+  const std::vector<Texture> expected{{0, Wrap::clamp, 0}, {0, Wrap::border, 0x6633ff00}};
   CHECK(city.pictures.textures == expected);
   const ConstructionFeature& house = city.constructions.at(0);
   const std::vector<std::uint32_t> worn{0, 1, 2, 0, 0, 0};
   for (std::size_t f = 0; f < worn.size(); ++f) CHECK(house.faces[f].texture == worn[f]);
   REQUIRE(house.uv.size() == house.corners.size());
-  const std::vector<Vec2> places{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {0.5, 0}, {0.5, 1}, {0, 1}};
+  const std::vector<Vec2> places{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {0.5, 0}, {0.5, 1.5}, {0, 1}};
   for (std::size_t i = 0; i < places.size(); ++i) CHECK(house.uv[4 + i] == places[i]);
 }
 
@@ -219,4 +221,12 @@ TEST_CASE("places keep to their corners where a ring names a vertex twice") {
   json["appearance"]["vertices-texture"][2] = {1e300, 0};
   values[0][1] = {{0, 0, 1, 4, 2, 3, 0}};
   CHECK(read_in(json, folder.path()).constructions.at(0).faces[1].texture == 0);
+}
+
+TEST_CASE("of a picture the part that is worn is kept with a pixel around it") {
+  const TemporaryFolder folder;
+  write_plain(folder.path() / "a.png", 1, 2, 3);
+  Json json = textured("absent.png", "a.png");
+  json["appearance"]["vertices-texture"] = {{0.5, 0.25}, {1, 0}, {1, 1}, {0.5, 0.375}, {0.75, 0.25}, {0.75, 0.375}};
+  CHECK(read_in(json, folder.path()).pictures.encoded.at(0).worn == PicturePart{3, 4, 4, 3});
 }

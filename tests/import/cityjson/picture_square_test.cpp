@@ -19,7 +19,8 @@ EncodedPicture write_steps(const TemporaryFolder& folder, int width, int height)
     for (int x = 0; x < width; ++x)
       rgb.insert(rgb.end(), {static_cast<unsigned char>(10 * x), static_cast<unsigned char>(10 * y), 7});
   apps::write_png(folder.path() / "steps.png", width, height, rgb);
-  return {folder.path(), "steps.png", {}, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+  const auto w = static_cast<std::uint32_t>(width), h = static_cast<std::uint32_t>(height);
+  return {folder.path(), "steps.png", {}, w, h, {0, 0, w, h}};
 }
 
 int mean(int a, int b) {
@@ -59,8 +60,24 @@ TEST_CASE("a picture of any shape fills its square") {
   CHECK((*square)[0].texels[0][0] < (*square)[0].texels[1][0]);
   CHECK((*picture_square(picture, 16))[0].texels[0][0] == 0);
   CHECK((*picture_square(picture, 16))[0].texels[15][0] == 110);
-  CHECK(side_of({{}, "", {}, 60000, 60000}) == kLargestSquare);
-  CHECK(side_of({{}, "", {}, 1, 1}) == 1);
+  CHECK(side_of({{}, "", {}, 60000, 60000, {0, 0, 60000, 60000}}) == kLargestSquare);
+  CHECK(side_of({{}, "", {}, 9, 9, {4, 4, 1, 1}}) == 1);
+}
+
+TEST_CASE("a square has what is worn of a picture alone") {
+  const TemporaryFolder folder;
+  EncodedPicture picture = write_steps(folder, 12, 10);
+  picture.worn = {5, 2, 4, 4};
+  CHECK(side_of(picture) == 4);
+  const auto square = picture_square(picture, 4);
+  REQUIRE(square);
+  for (std::uint32_t y = 0; y < 4; ++y)
+    for (std::uint32_t x = 0; x < 4; ++x) {
+      CHECK((*square)[0].texels[y * 4 + x][0] == 10 * (5 + x));
+      CHECK((*square)[0].texels[y * 4 + x][1] == 10 * (5 - y));
+    }
+  picture.worn = {5, 7, 4, 4};  // beyond its lower edge
+  CHECK(!picture_square(picture, 4));
 }
 
 TEST_CASE("a picture that is broken gone or led out of its folder since is none") {
@@ -73,6 +90,9 @@ TEST_CASE("a picture that is broken gone or led out of its folder since is none"
   std::filesystem::create_symlink(folder.path() / "steps.png", folder.path() / "inner/steps.png");
   CHECK(!picture_square(picture, 4));
   picture.folder = folder.path();
+  picture.width = 5;  // another one
+  CHECK(!picture_square(picture, 4));
+  picture.width = 4;
   std::filesystem::resize_file(folder.path() / "steps.png", 40);
   CHECK(!picture_square(picture, 4));
   std::filesystem::remove(folder.path() / "steps.png");
