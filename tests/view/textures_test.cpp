@@ -142,6 +142,42 @@ TEST_CASE("view: a picture lies as finely as the screen shows it and its seams a
   view.release();
 }
 
+TEST_CASE("view: a wall has its mean colour until a thread of the host's has made its picture and again after a loss") {
+  const gl::HeadlessContext context;
+  const TemporaryFolder folder;
+  write_quarters(folder.path() / "quarters.png");
+  const auto model = Model::load(written(folder.path(), house("wrap", {0, 0}, {1, 1})).string(), kNoTrees);
+  const HostWindow window(kWidth, kHeight);
+  const HostCamera camera = before_wall(model->scene());
+  std::vector<std::function<void()>> tasks;
+  int repaints = 0;
+  View view({.request_repaint = [&] { ++repaints; },
+             .run = [&](std::function<void()> task) { tasks.push_back(std::move(task)); }});
+  view.show(model);
+  const std::array cameras{camera};
+  const auto shown = [&] {
+    window.bind();
+    while (!view.update(cameras, 0).shown) view.render(0);
+    window.clear(0, 0, 0, 0);
+    view.render(0);
+    return seen_in(pixel_at(window.pixels(), camera, model->scene(), {0.25, 0.25}));
+  };
+  for (int life = 0; life < 2; ++life) {
+    CHECK(shown() == Seen::other);
+    CHECK(!view.complete());
+    CHECK(view.update(cameras, 0).pictures_left == 1);
+    REQUIRE(tasks.size() == 1);
+    repaints = 0;
+    tasks.back()();
+    tasks.clear();
+    CHECK(repaints == 1);
+    CHECK(shown() == Seen::red);
+    CHECK(view.complete());
+    CHECK(view.update(cameras, 0).pictures_left == 0);
+    view.release();
+  }
+}
+
 TEST_CASE("view: a baked city has its pictures in its own file and several cities keep theirs apart") {
   const gl::HeadlessContext context;
   const TemporaryFolder folder;

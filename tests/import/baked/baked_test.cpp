@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "scenegraph/import/picture_square.h"
 #include "scenegraph/tree_sites.h"
 #include "scenegraph/visible.h"
 #include "tests/import/baked/resummed.h"
@@ -24,6 +25,14 @@ const Imported& village() {
     level.mesh.indices.own() = {0, 1, 2};
     const auto all = made.scene.buildings.mesh.vertices.items();
     level.mesh.vertices.own().assign(all.end() - 3, all.end());
+    level.mesh.textures.own() = {2, 2, 2};
+    made.scene.buildings.mesh.textures.own().assign(all.size() / 2, 1);
+    made.scene.pictures.textures = {{1, Wrap::repeat, 0}, {0, Wrap::border, 0xff00ff00}};
+    for (const std::size_t bytes : {300, 500}) {
+      EncodedPicture& picture = made.scene.pictures.encoded.emplace_back();
+      picture.bytes.own().resize(bytes, static_cast<std::byte>(bytes / 100));
+      picture.width = 40, picture.height = 30, picture.worn = {1, 2, 20, 10};
+    }
     return made;
   }();
   return city;
@@ -65,6 +74,10 @@ std::size_t use(const Scene& scene) {
         for (std::size_t i = 0; i < scene.attributes.of(o).size(); ++i)
           used += scene.attributes.of(o)[i].second.size() & 1;
   }
+  for (const std::uint32_t texture : scene.buildings.mesh.textures)
+    if (texture > 0) used += scene.pictures.encoded[scene.pictures.textures[texture - 1].picture].bytes.size() & 1;
+  for (const EncodedPicture& picture : scene.pictures.encoded)
+    used += side_of(picture) > kLargestSquare || picture_square(picture, 8) ? 1 : 0;
   return used;
 }
 
@@ -80,6 +93,15 @@ TEST_CASE("baked: the same city comes back") {
   CHECK(a.buildings.mesh.indices == b.buildings.mesh.indices);
   CHECK(a.buildings.levels[1].mesh.indices == b.buildings.levels[1].mesh.indices);
   CHECK(a.buildings.levels[1].index_first == b.buildings.levels[1].index_first);
+  CHECK(a.buildings.mesh.textures == b.buildings.mesh.textures);
+  CHECK(a.buildings.levels[1].mesh.textures == b.buildings.levels[1].mesh.textures);
+  CHECK(a.pictures.textures == b.pictures.textures);
+  REQUIRE(b.pictures.encoded.size() == 2);
+  for (std::size_t p = 0; p < 2; ++p) {
+    CHECK(a.pictures.encoded[p].bytes == b.pictures.encoded[p].bytes);
+    CHECK(a.pictures.encoded[p].worn == b.pictures.encoded[p].worn);
+    CHECK(b.pictures.encoded[p].name.empty());  // it refers to no other file
+  }
   CHECK(a.traffic.offsets == b.traffic.offsets);
   CHECK(a.attributes.text == b.attributes.text);
   CHECK(a.attribution == b.attribution);
@@ -132,7 +154,7 @@ TEST_CASE("baked: one wrong bit anywhere is told") {
     CHECK_FALSE(fault(bytes).empty());
   };
   const std::size_t n = baked::sections(good);
-  REQUIRE(n == 45);
+  REQUIRE(n == 52);
   for (std::size_t place = 0; place < baked::kHeader + n * baked::kSection; ++place) check(place);
   for (std::size_t i = 0; i < n; ++i) {
     const baked::Place section = baked::section(good, i);
@@ -150,7 +172,7 @@ TEST_CASE("baked: what is cut off or comes after is told and so is an older file
   CHECK_FALSE(fault(good + "x").empty());
   std::string older = good;
   baked::put<std::uint32_t>(older, 8, 0);
-  CHECK(fault(older) == "x.manzana: is of version 0, this program reads version 3; bake it again");
+  CHECK(fault(older) == "x.manzana: is of version 0, this program reads version 4; bake it again");
   CHECK(fault("<osm version='0.6'></osm>") == "x.manzana: is no baked city");
   std::string other = good;
   baked::put<std::uint32_t>(other, 12, 0x04030201);
