@@ -26,7 +26,8 @@ std::vector<Setting> settings_of(bool quick) {
     const auto known = [&](const Setting& setting) { return setting.far == knobs; };
     if (std::ranges::none_of(settings, known)) settings.push_back({foliage::Law::ours, error_px, knobs});
   };
-  for (const double mosaics : quick ? Values{0, 24, 48} : Values{0, 16, 24, 32, 40, 48, 64}) add({mosaics, usual.groves});
+  for (const double mosaics : quick ? Values{0, 24, 48} : Values{0, 16, 24, 32, 40, 48, 64})
+    add({mosaics, usual.groves});
   for (const double all : quick ? Values{0, 10, 16} : Values{0, 3, 5, 7, 10, 14})
     for (const double points : all == 0 ? Values{usual.groves.points}
                                : quick  ? Values{0.7, 1.4}
