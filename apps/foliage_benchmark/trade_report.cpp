@@ -45,7 +45,9 @@ std::string slug(std::string name) {
 }
 
 /// What is drawn alike: a law; of a wood, which has ours alone, what is on the front, and what is not.
-std::string series_of(const TradePoint& p) { return p.plant == kWood && p.front.empty() ? "beaten" : p.law; }
+std::string series_of(const TradePoint& p) {
+  return p.plant == kWood && p.law != "full" && p.front.empty() ? "beaten" : p.law;
+}
 
 /// From little error to much, or by primitives.
 std::vector<TradePoint> points_of(std::span<const TradePoint> points, const std::string& plant,

@@ -109,7 +109,7 @@ TEST_CASE("trade: a way that pops is no profile, however true its pictures are")
 
 TEST_CASE("trade: ways with other knobs of mosaics and groves are other ways") {
   Rows given("wood, from afar");
-  given.add("ours", 1, 1000, {1, 0, 0.9, 0.05});
+  given.add("ours", 1, 900, {1, 0, 0.9, 0.05});
   given.set_knobs({24, {.all = 10, .points = 0.7}});
   given.add("ours", 1, 100, {1, 0.001, 0.9, 0.05});
   given.set_knobs({24, {.all = 10, .points = 1.4}});
@@ -123,7 +123,7 @@ TEST_CASE("trade: ways with other knobs of mosaics and groves are other ways") {
   for (const TradePoint& p : points)
     if (p.plant == kWood && p.law == "ours") wood.push_back(p);
   REQUIRE(wood.size() == 3);
-  CHECK(wood[0].primitives == 1000);
+  CHECK(wood[0].primitives == 900);
   CHECK(wood[1].primitives == 100);
   CHECK(wood[1].front == "front");
   CHECK(wood[2].front.empty());
@@ -132,6 +132,11 @@ TEST_CASE("trade: ways with other knobs of mosaics and groves are other ways") {
   CHECK(way_name(wood[0]) == "ours 1 px");
   CHECK(way_name(wood[2]) == "ours 1 px, mosaics under 24, groves under 10 of 1.4");
   CHECK(cost_key(wood[1], 8) != cost_key(wood[2], 8));
+  const auto plots = trade_plots(points);
+  const auto plot = std::ranges::find(plots, "pareto_wood_from_afar", &apps::Script::name);
+  REQUIRE(plot != plots.end());
+  CHECK(plot->text.find("\n1,") == std::string::npos);  // all detail is no way
+  CHECK(plot->text.find("title 'beaten'") != std::string::npos);
 }
 
 TEST_CASE("trade: where nothing is within what is allowed the profile is all detail") {
