@@ -55,8 +55,8 @@ std::vector<foliage::TreeSite> tree_sites(const Scene& scene, std::span<const fo
 }
 
 std::span<const foliage::TreeSite> sites_of(std::span<const foliage::TreeSite> all, std::uint32_t block) {
-  const auto run = std::ranges::equal_range(all, block, {}, &foliage::TreeSite::block);
-  return {run.begin(), run.end()};
+  return {std::ranges::lower_bound(all, block, {}, &foliage::TreeSite::block),
+          std::ranges::upper_bound(all, block, {}, &foliage::TreeSite::block)};
 }
 
 void keep_leeway(Scene& scene, std::span<const foliage::PreparedPlant> plants) {

@@ -192,7 +192,10 @@ bool is_next(const UprightWall& wall, const UprightWall& next) {
 /// Walls that continue each other, one after the other.
 std::vector<UprightWall> in_chains(std::vector<UprightWall> walls) {
   std::ranges::sort(walls, before, &UprightWall::a);
-  const auto starting_at = [&](const Vec2& p) { return std::ranges::equal_range(walls, p, before, &UprightWall::a); };
+  const auto starting_at = [&](const Vec2& p) {
+    return std::span(std::ranges::lower_bound(walls, p, before, &UprightWall::a),
+                     std::ranges::upper_bound(walls, p, before, &UprightWall::a));
+  };
   std::vector<bool> follows(walls.size()), used(walls.size());
   const auto number = [&](const UprightWall& w) { return static_cast<std::size_t>(&w - walls.data()); };
   for (const UprightWall& wall : walls)
