@@ -112,8 +112,10 @@ void index_blocks(Traffic& traffic, std::uint32_t blocks) {
 }
 
 void reorder_blocks(Traffic& traffic, std::span<const std::uint32_t> new_of_old) {
-  assert(new_of_old.size() + 1 == traffic.block_first.size());
-  for (HalfStreet& half : traffic.halves) half.block = new_of_old[half.block];
+  for (HalfStreet& half : traffic.halves) {
+    assert(half.block < new_of_old.size());
+    half.block = new_of_old[half.block];
+  }
   index_blocks(traffic, static_cast<std::uint32_t>(new_of_old.size()));
 }
 
