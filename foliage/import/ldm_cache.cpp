@@ -6,7 +6,6 @@
 #include "files/mapped_file.h"
 #include "files/whole_file.h"
 #include "foliage/far_pack.h"
-#include "foliage/import/cache_file.h"
 #include "foliage/import/plant_cache.h"
 
 namespace manzana::foliage {
@@ -14,7 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr CacheKind kKind{{'M', 'A', 'N', 'Z', 'L', 'D', 'M', '\x1a'}, kPackFormat, "pack"};
 /// One list for writing and for reading. Does not compile for a pack that has one member more.
 template <class Pack, class Visit>
 void each_field(Pack& pack, Visit&& visit) {
@@ -38,12 +36,12 @@ std::string description_of(const PreparedPlant& plant, const LdmOptions& options
 std::string encoded(const LdmPack& pack) {
   CacheWriter writer;
   each_field(pack, writer);
-  return with_header(kKind, writer.bytes);
+  return with_header(kPackKind, writer.bytes);
 }
 
 LdmPack decoded_pack(std::span<const unsigned char> bytes) {
   LdmPack pack;
-  CacheReader reader(lists_of(kKind, bytes));
+  CacheReader reader(lists_of(kPackKind, bytes));
   each_field(pack, reader);
   reader.finish();
   try {

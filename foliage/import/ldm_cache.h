@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include "foliage/import/cache_file.h"
 #include "foliage/import/load_plant.h"
 #include "foliage/ldm_pack.h"
 
@@ -16,6 +17,8 @@ namespace manzana::foliage {
 
 /// Of files, and of what make_ldm_pack() and its samplers make of a plant: raised whenever one changes.
 inline constexpr std::uint32_t kPackFormat = 7;
+
+inline constexpr CacheKind kPackKind{{'M', 'A', 'N', 'Z', 'L', 'D', 'M', '\x1a'}, kPackFormat, "pack"};
 
 std::string encoded(const LdmPack& pack);
 /// Throws std::runtime_error for anything but what encoded() wrote.
