@@ -15,19 +15,17 @@ double resident_mb() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) * 1e-6;
 }
 
-std::uint64_t cars_in_all_blocks(const Scene& scene, std::uint64_t tick) {
-  std::vector<CarState> cars;
-  cars.reserve(scene.traffic.cars());
-  for (std::uint32_t block = 0; block < scene.blocks.size(); ++block) cars_of_block(scene.traffic, block, tick, cars);
-  return cars.size();
+void find_in_all_blocks(const Scene& scene, std::uint64_t tick, std::vector<CarState>& found) {
+  found.clear();
+  for (std::uint32_t block = 0; block < scene.blocks.size(); ++block) cars_of_block(scene.traffic, block, tick, found);
 }
 
 }  // namespace
 
 void Endurance::see(const Scene& scene, double seconds, std::size_t device_bytes, int lap) {
   cars = scene.traffic.cars();
-  rows.push_back({seconds / 3600, cars_in_all_blocks(scene, ticks(seconds)), static_cast<double>(device_bytes) * 1e-6,
-                  resident_mb(), lap});
+  find_in_all_blocks(scene, ticks(seconds), found);
+  rows.push_back({seconds / 3600, found.size(), static_cast<double>(device_bytes) * 1e-6, resident_mb(), lap});
 }
 
 std::string to_text(const Endurance& day) {

@@ -21,6 +21,7 @@ struct Endurance {
   };
   std::uint64_t cars = 0;  ///< of the scene
   std::vector<Row> rows;
+  std::vector<CarState> found = {};  ///< at one time; kept, so that counting adds nothing to the bytes that it measures
   void see(const Scene& scene, double seconds, std::size_t device_bytes, int lap);
 };
 
