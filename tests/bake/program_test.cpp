@@ -11,12 +11,6 @@ namespace {
 
 using Path = std::filesystem::path;
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr double kSlower = 6, kLarger = 4;  // what the sanitizers cost
-#else
-constexpr double kSlower = 1, kLarger = 1;
-#endif
-
 Ended bake(const Path& folder, const std::string& source) {
   return run_program(MANZANA_BAKE, folder, {"plant", source, "-o", folder / "out.plant"});
 }

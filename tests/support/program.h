@@ -12,6 +12,12 @@
 
 #include "tests/support/temporary_folder.h"
 
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr double kSlower = 6, kLarger = 4;  // what the sanitizers cost
+#else
+inline constexpr double kSlower = 1, kLarger = 1;
+#endif
+
 struct Ended {
   int code = -1;  ///< of exit; 128 + signal when it was killed
   double cpu_s = 0, memory_mb = 0;
@@ -21,7 +27,7 @@ struct Ended {
 /// Starts it without a display; `folder` takes its output. Wait for it with wait_for.
 inline pid_t start_program(const std::string& program, const std::filesystem::path& folder,
                            const std::vector<std::string>& arguments) {
-  constexpr rlim_t kMostCpu = 120;  // seconds: a hang ends the test, not the day
+  constexpr auto kMostCpu = static_cast<rlim_t>(120 * kSlower);  // seconds: a hang ends the test, not the day
   const std::string out = folder / "stdout.txt", err = folder / "stderr.txt";
   std::vector<char*> argv{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));

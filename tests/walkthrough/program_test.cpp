@@ -18,12 +18,6 @@ Ended run_walkthrough(const std::filesystem::path& folder, const std::vector<std
 using Json = nlohmann::json;
 using Path = std::filesystem::path;
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr double kSlower = 6, kLarger = 4;  // what the sanitizers cost
-#else
-constexpr double kSlower = 1, kLarger = 1;
-#endif
-
 std::vector<std::string> small_run(const Path& out, const std::string& city, std::vector<std::string> more = {}) {
   std::vector<std::string> arguments{city,     "--headless", "--frames",   "6",      "--every", "3",      "--size",
                                      "160x90", "--out",      out.string(), "--path", "pina",    "--cars", "300"};
