@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "foliage/leaf_points.h"
-#include "foliage/random.h"
 #include "foliage/texel_mean.h"
 
 namespace manzana::foliage {
@@ -29,18 +28,10 @@ float place_on(const LineSegment& line, float share) {
   return a + root > 0 ? share * (a + b) / (a + root) : share;
 }
 
-/// Across the line, to any side.
-Vec3 facing(const LineSegment& line, float turn) {
-  const Vec3 along = glm::normalize(line.b - line.a), other = std::abs(along.z) < 0.9F ? Vec3(0, 0, 1) : Vec3(1, 0, 0);
-  const Vec3 side = glm::normalize(glm::cross(along, other));
-  const float angle = 2 * std::numbers::pi_v<float> * turn;
-  return std::cos(angle) * side + std::sin(angle) * glm::cross(along, side);
-}
-
-CloudPoint point_on(const LineSegment& line, float share, float turn, const Vec3& colour) {
+CloudPoint point_on(const LineSegment& line, float share, const Vec3& colour) {
   CloudPoint point;
   point.position = glm::mix(line.a, line.b, place_on(line, share));
-  point.normal = facing(line, turn);
+  point.normal = line.b - line.a;
   point.shade = line.shade;
   point.colour = colour;
   point.level = std::min(line.level, 3U);
@@ -60,8 +51,7 @@ std::vector<LeafPoint> branch_points(const PreparedPlant& plant, std::uint32_t c
   for (const LineSegment& line : plant.lines) {
     const double area = line.branch != kOfLeaf ? area_of(line) : 0;
     for (; next < before + area && cloud.size() < count; next += step) {
-      const auto turn = static_cast<float>(Random(hash(cloud.size())).uniform());
-      cloud.push_back(point_on(line, static_cast<float>((next - before) / area), turn, bark));
+      cloud.push_back(point_on(line, static_cast<float>((next - before) / area), bark));
       cloud.back().area = static_cast<float>(std::numbers::pi / 4 * step);
     }
     before += area;

@@ -7,9 +7,10 @@
 namespace manzana::foliage {
 
 /// `count` points of the plant's finest lines, each for the same part of their area; in an order of which any first few
-/// are spread over the plant. They face away from their branches, anyhow, and have the bark's mean colour. Their areas
-/// sum up to what ribbons that turn to the eye hide, mean over all directions, were none behind another. None of a
-/// plant whose branches have no lines. Cost: linear in lines, and that of the picture.
+/// are spread over the plant. In place of normals they have their branches' directions, by which they are lit as
+/// ribbons are; they have the bark's mean colour. Their areas sum up to what ribbons that turn to the eye hide, mean
+/// over all directions, were none behind another. None of a plant whose branches have no lines. Cost: linear in lines,
+/// and that of the picture.
 std::vector<LeafPoint> branch_points(const PreparedPlant& plant, std::uint32_t count);
 
 }  // namespace manzana::foliage

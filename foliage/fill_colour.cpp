@@ -73,6 +73,22 @@ Level weighted(const Image& image, const std::vector<bool>& used) {
   return level;
 }
 
+/// Of a texel and the eight round it.
+Vec4 next_to(Level& level, int x, int y) {
+  Vec4 sum(0);
+  for (int j = std::max(y - 1, 0); j <= std::min(y + 1, level.size - 1); ++j)
+    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, level.size - 1); ++i) sum += level.at(i, j);
+  return sum;
+}
+
+/// Of those next to it, which filtering mixes with it: a leaf of one colour may have its one texel at the end of a
+/// block. Where there are none, of the smallest block with some.
+Vec4 round_it(std::vector<Level>& levels, int x, int y) {
+  Vec4 sum = next_to(levels.front(), x, y);
+  for (std::size_t i = 1; i < levels.size() && !(sum.w > 0); ++i) sum = levels[i].at(x >> i, y >> i);
+  return sum;
+}
+
 }  // namespace
 
 void fill_unused(Image& image, std::span<const PlantQuad> leaves) {
@@ -84,11 +100,8 @@ void fill_unused(Image& image, std::span<const PlantQuad> leaves) {
   for (int y = 0; y < image.size; ++y) {
     for (int x = 0; x < image.size; ++x) {
       if (used[texel_at(image.size, x, y)]) continue;
-      const auto known = std::find_if(levels.begin(), levels.end(), [&](Level& level) {
-        return level.at(x * level.size / image.size, y * level.size / image.size).w > 0;
-      });
-      if (known == levels.end()) return;  // nothing has alpha
-      const Vec4 sum = known->at(x * known->size / image.size, y * known->size / image.size);
+      const Vec4 sum = round_it(levels, x, y);
+      if (!(sum.w > 0)) return;  // nothing has alpha
       for (int c = 0; c < 3; ++c)
         image.rgba[4 * texel_at(image.size, x, y) + static_cast<std::size_t>(c)] = srgb_of_linear(sum[c] / sum.w);
     }

@@ -16,26 +16,43 @@ constexpr float kTall = 4;  // times the median height
 
 float height_of(const PreparedPlant& plant, const TreeSite& site) { return plant.height_m * site.height; }
 
-std::uint32_t points_of(const PreparedPlant& plant, const TreeSite& site, const GroveOptions& options) {
-  if (plant.grove.points.size() == 0) return 0;
-  const double h = static_cast<double>(height_of(plant, site)),
-               cover = static_cast<double>(plant.cover_m2 * site.radius * site.height);
-  const double wanted = kBeyond * options.points * cover * options.none() * options.none() / (h * h);
-  return static_cast<std::uint32_t>(
-      std::clamp(std::ceil(wanted), 1.0, static_cast<double>(std::min(kMostPoints, plant.grove.points.size()))));
+/// Points for each m2 that trees cover: as many as the highest of them needs where it is just too large for a grove,
+/// and of all the same, so that a herb's points are no larger than those of the grass round it.
+double points_a_m2(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites,
+                   const GroveOptions& options) {
+  float highest = 0;
+  for (const TreeSite& site : sites) highest = std::max(highest, height_of(plants[site.plant], site));
+  const double errors = options.none() / static_cast<double>(highest);
+  return highest > 0 ? kBeyond * options.points * errors * errors : 0;
+}
+
+/// Mean over trees of that size; less than one: some have none, and others stand for them.
+double mean_points(const PreparedPlant& plant, const TreeSite& site, double a_m2) {
+  const double most = std::min(kMostPoints, plant.grove.points.size());
+  return std::min(a_m2 * static_cast<double>(plant.cover_m2 * site.radius * site.height), most);
+}
+
+/// In [0, 1): trees of the same size are out of step.
+double start_of(const TreeSite& site) { return static_cast<double>(hash(site.hash) >> 40) * 0x1p-24; }
+
+std::uint32_t points_of(const TreeSite& site, double mean) {
+  return static_cast<std::uint32_t>(std::max(0.0, std::ceil(mean - start_of(site))));
 }
 
 Vec3 turned(const TreeSite& site, const Vec3& v) {
   return {v.x * site.turn.x - v.y * site.turn.y, v.x * site.turn.y + v.y * site.turn.x, v.z};
 }
 
-LeafPoint placed(const LeafPoint& point, const TreeSite& site, float scale, bool leaf) {
+/// `area`: of a tree of natural size.
+LeafPoint placed(const LeafPoint& point, const TreeSite& site, float area) {
   const Vec3 size(site.radius, site.radius, site.height);
   LeafPoint out = point;
   out.position = site.position + turned(site, point.position * size);
-  out.area *= scale * site.radius * site.height;
+  out.area = area * site.radius * site.height;
+  const bool leaf = (point.normal & glsl::kGroveLeaf) != 0;
+  const Vec3 normal = unpack_normal(point.normal);
   out.normal =
-      pack_normal(glm::normalize(turned(site, unpack_normal(point.normal) / size))) | (leaf ? glsl::kGroveLeaf : 0);
+      pack_normal(glm::normalize(turned(site, leaf ? normal / size : normal * size))) | (leaf ? glsl::kGroveLeaf : 0);
   out.tree = site.hash;
   return out;
 }
@@ -51,17 +68,12 @@ struct Ranked {
 };
 
 /// All keys of a tree are spread over [0, 1), those of different trees out of step.
-void add_tree(const PreparedPlant& plant, const TreeSite& site, const GroveOptions& options, std::vector<Ranked>& all) {
+void add_tree(const PreparedPlant& plant, const TreeSite& site, double mean, std::vector<Ranked>& all) {
   const GroveFit& fit = plant.grove;
-  const std::vector<std::uint32_t> rows = chosen_points(fit, points_of(plant, site, options), site.hash >> 8);
-  double sum = 0;
-  for (const std::uint32_t row : rows) sum += static_cast<double>(plant.points[row].area);
-  const auto n = static_cast<double>(rows.size());
-  const auto scale = static_cast<float>(sum > 0 ? fitted(fit.area, 0, n) / sum : 0);
-  const double step = static_cast<double>(hash(site.hash) >> 40) * 0x1p-24;
-  const bool leaf = !plant.point_levels.empty();
+  const std::vector<std::uint32_t> rows = chosen_points(fit, points_of(site, mean), site.hash >> 8);
+  const auto area = static_cast<float>(fitted(fit.area, 0, mean) / mean);
   for (std::size_t j = 0; j < rows.size(); ++j)
-    all.push_back({(static_cast<double>(j) + step) / n, placed(plant.points[rows[j]], site, scale, leaf)});
+    all.push_back({(static_cast<double>(j) + start_of(site)) / mean, placed(plant.points[rows[j]], site, area)});
 }
 
 double shown_area(std::span<const LeafPoint> points, double meant) {
@@ -71,12 +83,14 @@ double shown_area(std::span<const LeafPoint> points, double meant) {
   return sum;
 }
 
-/// Between what is known of the views.
+/// Between what is known of the views, by the angle: what a tree covers falls ever faster towards the zenith by its
+/// sine.
 template <class OfView>  // float(std::size_t view)
 float at_view(double up, OfView&& of_view) {
-  const double at = std::clamp(std::abs(up), 0.0, 1.0) * (kGroveViews - 1);
-  const auto i = std::min(static_cast<std::size_t>(at), kGroveViews - 2);
-  return std::lerp(of_view(i), of_view(i + 1), static_cast<float>(at - static_cast<double>(i)));
+  constexpr double kHalfWay = 30;  // degrees
+  const double angle = glm::degrees(std::asin(std::clamp(std::abs(up), 0.0, 1.0)));
+  return angle < kHalfWay ? std::lerp(of_view(0), of_view(1), static_cast<float>(angle / kHalfWay))
+                          : std::lerp(of_view(1), of_view(2), static_cast<float>((angle - kHalfWay) / (90 - kHalfWay)));
 }
 
 double cover_at(const GroveRule& rule, const GroveSight& sight) {
@@ -99,22 +113,27 @@ double within_outline(const GroveSight& sight, double cover_m2, double square_m2
   return -larger * std::log1p(-covered / larger) / cover_m2;
 }
 
+double cover_of(const PreparedPlant& plant, const TreeSite& site, std::size_t view) {
+  return outline_scale(plant, site, view) * static_cast<double>(plant.grove.cover_m2[view]);
+}
+
 /// What all trees' points should sum up to when so large a share of them is meant; what they cover, and that by what
 /// they should be lighter.
 struct Sum {
   double area = 0, light = 0, cover = 0;
 };
-Sum sum_of(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites, const GroveOptions& options,
-           std::size_t view, double share) {
+struct Meant {
+  double a_m2, share;
+};
+Sum sum_of(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites, std::size_t view,
+           const Meant& meant) {
   Sum sum;
   for (const TreeSite& site : sites) {
-    const std::uint32_t n = points_of(plants[site.plant], site, options);
+    const PreparedPlant& plant = plants[site.plant];
+    const double n = meant.share * mean_points(plant, site, meant.a_m2), cover = cover_of(plant, site, view);
     if (n == 0) continue;
-    const GroveFit& fit = plants[site.plant].grove;
-    const double scale = outline_scale(plants[site.plant], site, view),
-                 cover = scale * static_cast<double>(fit.cover_m2[view]);
-    sum.area += scale * fitted(fit.area, view, share * n);
-    sum.light += cover * fitted(fit.light, view, share * n);
+    sum.area += outline_scale(plant, site, view) * fitted(plant.grove.area, view, n);
+    sum.light += cover * fitted(plant.grove.light, view, n);
     sum.cover += cover;
   }
   return sum;
@@ -139,10 +158,16 @@ std::vector<std::uint32_t> grove_rows(std::span<const PreparedPlant> plants, std
 GroveRule grove_rule(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites,
                      const GroveOptions& options) {
   GroveRule rule{.per_square = options.points};
+  const double a_m2 = points_a_m2(plants, sites, options);
+  std::array<double, kGroveViews> cover{};
   for (const TreeSite& site : sites) {
-    rule.points += points_of(plants[site.plant], site, options);
-    rule.cover_m2 += plants[site.plant].cover_m2 * site.radius * site.height;
+    const PreparedPlant& plant = plants[site.plant];
+    rule.points += points_of(site, mean_points(plant, site, a_m2));
+    rule.cover_m2 += plant.cover_m2 * site.radius * site.height;
+    for (std::size_t view = 0; view < kGroveViews; ++view) cover[view] += cover_of(plant, site, view);
   }
+  for (std::size_t view = 0; view < kGroveViews && rule.cover_m2 > 0; ++view)
+    rule.cover[view] = static_cast<float>(cover[view]) / rule.cover_m2;
   return rule;
 }
 
@@ -150,8 +175,10 @@ Grove make_grove(std::span<const PreparedPlant> plants, std::span<const TreeSite
                  const GroveOptions& options) {
   Grove grove{{}, grove_rule(plants, sites, options)};
   GroveRule& rule = grove.rule;
+  const double a_m2 = points_a_m2(plants, sites, options);
   std::vector<Ranked> all;
-  for (const TreeSite& site : sites) add_tree(plants[site.plant], site, options, all);
+  for (const TreeSite& site : sites)
+    add_tree(plants[site.plant], site, mean_points(plants[site.plant], site, a_m2), all);
   std::stable_sort(all.begin(), all.end(), [](const Ranked& a, const Ranked& b) { return a.key < b.key; });
   for (const Ranked& ranked : all) grove.points.push_back(ranked.point);
   const auto n = static_cast<double>(all.size());
@@ -159,10 +186,9 @@ Grove make_grove(std::span<const PreparedPlant> plants, std::span<const TreeSite
     const double meant = std::max(1.0, std::exp2(-static_cast<double>(i)) * n / kBeyond),
                  shown = shown_area(grove.points, meant);
     for (std::size_t view = 0; view < kGroveViews && shown > 0; ++view) {
-      const Sum sum = sum_of(plants, sites, options, view, meant / n);
+      const Sum sum = sum_of(plants, sites, view, {a_m2, meant / n});
       rule.worth[view][i] = static_cast<float>(sum.area / shown * meant / n);
       rule.light[view][i] = static_cast<float>(sum.light / sum.cover);
-      rule.cover[view] = static_cast<float>(sum.cover) / rule.cover_m2;
     }
   }
   grove.points.resize(points_at(rule.points, level));

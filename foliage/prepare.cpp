@@ -1,7 +1,6 @@
 #include "foliage/prepare.h"
 
 #include "foliage/branch_levels.h"
-#include "foliage/branch_points.h"
 #include "foliage/cell_visibility.h"
 #include "foliage/grove_fit.h"
 #include "foliage/leaf_cloud.h"
@@ -26,9 +25,7 @@ PreparedPlant prepare(const Plant& plant, const PrepareOptions& options) {
   PrepareOptions for_leaves = options;
   for_leaves.progress = part_of(options.progress, kBranches, leaves);
   prepare_leaves(plant, for_leaves, ready);
-  constexpr std::uint32_t kBarePoints = 256;  // more than a tree has in a grove, so that trees differ
-  if (ready.leaves.empty()) ready.points = branch_points(ready, kBarePoints);
-  ready.grove = fit_grove(ready);
+  add_grove(ready);
   if (seen && !ready.cells.empty())
     bake_visibility(ready, {.side = options.visibility_side, .progress = part_of(options.progress, leaves, 1)});
   tell(options.progress, 1);

@@ -32,7 +32,8 @@ struct LeafPoint {
   Vec3 position;
   float area;              ///< m2 that it hides, seen from anywhere: half the triangles' area, times their alpha, times
                            ///< what is fitted for its level so that all of it cover, as squares, what the leaves do
-  std::uint32_t normal;    ///< pack_normal, with the branch's level; of a grove's, with glsl::kGroveLeaf or without
+  std::uint32_t normal;    ///< pack_normal, with the branch's level; of a grove's, with glsl::kGroveLeaf or without;
+                           ///< of a branch's point its direction (foliage/branch_points.h)
   std::uint32_t colour;    ///< sRGB, r lowest: mean of the texels in linear light, weighted by alpha; highest byte: the
                            ///< standard deviation of what it stands for over the mean, in 255ths
   float shade;             ///< in [0, 1], or a little more: foliage/point_shade.h
@@ -107,7 +108,7 @@ inline constexpr std::size_t kGroveFits = 8;  ///< 1, 2, 4, ... 128 points
 
 /// What a tree's first few points cover, and how they look, where it is one of a grove's: foliage/grove_fit.h
 struct GroveFit {
-  Run points;  ///< of PreparedPlant::points: the level that they are of; without levels, all
+  Run points;                                 ///< of PreparedPlant::points, the last: foliage/grove_points.h
   std::array<float, kGroveViews> cover_m2{};  ///< that the plant hides
   using Table = std::array<std::array<float, kGroveFits>, kGroveViews>;
   Table area{};   ///< m2
@@ -135,7 +136,7 @@ struct PreparedPlant {
   std::vector<std::uint32_t> shuffled;    ///< all leaves' quads, for ways that know no cells: the large ones, then the
                                           ///< others, each in random order
   std::uint32_t large_quads = 0;          ///< L, most often 0: the first so many of shuffled
-  std::vector<LeafPoint> points;          ///< of a plant without leaves: on its branches (foliage/branch_points.h)
+  std::vector<LeafPoint> points;          ///< of leaves, level by level; then the grove's
   std::uint32_t large_points = 0;         ///< M: points [0, M) are spread over all large quads
   std::vector<PointLevel> point_levels;   ///< finest first; level 0: four points from M + 4 (i - L) on are of quad
                                           ///< shuffled[i], i >= L

@@ -16,7 +16,7 @@
 namespace manzana::foliage {
 
 /// Of files, of what a species' seed grows to, and of what prepare() makes of a plant: raised whenever one changes.
-inline constexpr std::uint32_t kPlantFormat = 13;
+inline constexpr std::uint32_t kPlantFormat = 14;
 
 std::string encoded(const PreparedPlant& plant);
 std::uint64_t checksum_of(const PreparedPlant& plant);  ///< of all that encoded() has

@@ -13,6 +13,19 @@ layout(location = 0) out vec3 out_colour;
 layout(location = 1) flat out uint out_samples;
 layout(location = 7) flat out uvec2 out_share;
 
+// Of a round stem of that direction, the mean of two normals that lean to its sides so far that light from the eye is as
+// on average over its width, pi / 4; and how unlike that both are.
+void stem_light(vec3 rel, vec3 along, float shade, float tint, out vec3 light, out vec3 unlike, out vec3 air) {
+  vec3 side = cross(along, rel), other;
+  side /= max(length(side), 1e-20);
+  const float kTowards = 0.785398, kLean = 0.618987;
+  vec3 towards = kTowards * faceforward(cross(side, along), rel, cross(side, along));
+  plant_light(rel, towards + kLean * side, shade, 0.0, tint, light, air);
+  plant_light(rel, towards - kLean * side, shade, 0.0, tint, other, air);
+  unlike = 0.5 * (light - other);
+  light = 0.5 * (light + other);
+}
+
 void main() {
   uint slot = uint(gl_VertexID);
   uvec2 group = groups[slot / kGroveGroup];
@@ -36,13 +49,16 @@ void main() {
   uint hash = mixed(point.rest.w + rank);
   out_samples = samples_of(min(pixels, 1.0), noise_of(hash), hash);
   out_share = uvec2(point.rest.w, item.share);
-  vec3 n = normalize(vec3(dot(x.xyz, of_block), dot(y.xyz, of_block), dot(z.xyz, of_block))), light, air;
-  bool leaf = (point.rest.x & kGroveLeaf) != 0u;
-  if (!leaf) n = faceforward(n, rel, n);  // of wood the side that faces the eye is seen
-  float tint = float(point.rest.w & 255u) * (1.0 / 255.0);
-  plant_light(rel, n, uintBitsToFloat(point.rest.z), float(leaf), tint, light, air);
+  vec3 n = normalize(vec3(dot(x.xyz, of_block), dot(y.xyz, of_block), dot(z.xyz, of_block))), light, unlike, air;
+  float tint = float(point.rest.w & 255u) * (1.0 / 255.0), shade = uintBitsToFloat(point.rest.z);
+  if ((point.rest.x & kGroveLeaf) != 0u) {
+    plant_light(rel, n, shade, 1.0, tint, light, air);
+    unlike = light * (float(point.rest.y >> 24u) * (1.0 / 255.0));
+  } else {
+    stem_light(rel, n, shade, tint, light, unlike, air);
+  }
   vec3 srgb = vec3(point.rest.y & 255u, (point.rest.y >> 8u) & 255u, (point.rest.y >> 16u) & 255u) * (1.0 / 255.0);
-  vec3 mean = plant_albedo(srgb) * light * item.light, off = mean * (float(point.rest.y >> 24u) * (1.0 / 255.0));
+  vec3 albedo = plant_albedo(srgb) * item.light, mean = albedo * light, off = albedo * unlike;
   out_colour = 0.5 * (plant_film(mean + off + air) + plant_film(mean - off + air));
   gl_PointSize = sqrt(max(pixels, 1.0));
 }

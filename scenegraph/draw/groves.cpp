@@ -88,21 +88,20 @@ foliage::GroveSight sight_of(const Groves& groves, std::uint32_t part, const Gro
 
 std::uint32_t find_share(Groves& groves, std::uint32_t part, const GroveView& view,
                          const std::function<bool()>& mosaics) {
-  constexpr double kSoon = 1.1;            // wanted before it is needed
-  constexpr std::uint32_t kTooCoarse = 3;  // levels: points would be squares of several errors
+  constexpr double kSoon = 1.1;  // wanted before it is needed
   const Groves::Part& of = groves.parts[part];
   if (of.rule.points == 0) return 0;
   const double distance = static_cast<double>(distance_to(groves, part, view.seen.block_rows)),
                height = static_cast<double>(of.height_m) / (distance * view.seen.error_at_1m);
   if (!(height < kSoon * groves.options.none())) return 0;
   const foliage::GroveSight sight = sight_of(groves, part, view);
-  const std::uint32_t level = level_of(of.rule, {sight.error_m / kSoon, 0, sight.times, {}});
+  const std::uint32_t level = level_of(of.rule, {sight.error_m / kSoon, sight.up, sight.times, {}});
   auto& held = groves.held[part];
   if (!held || held->level > level) groves.wanted.push_back({part, level});
   if (!held) return 0;
   groves.points_in_use += held->place.points;
   groves.last_used[part] = groves.frame;
-  if (held->level >= level + kTooCoarse) return 0;
+  if (held->level > level_of(of.rule, sight)) return 0;  // its points would be squares of several errors
   const std::uint32_t share = share_at(groves.options, height);
   if (share == 0 || (share < Groves::kAll && !mosaics())) return 0;
   groves.shown.push_back(

@@ -43,6 +43,14 @@ TEST_CASE("what no leaf shows of an opaque picture takes the colour of what leav
   for (std::size_t i = 3; i < image.rgba.size(); i += 4) REQUIRE(image.rgba[i] == 255);
 }
 
+TEST_CASE("what filtering mixes with the one texel of a leaf of one colour has its colour") {
+  Image image = half_yellow(255);
+  fill_unused(image, std::array{quad_over(0.25F, 0.25F), quad_over(0.5F, 0.5F), quad_over(0.75F, 0.75F)});
+  for (const int at : {4, 8, 12})
+    for (const int x : {at - 1, at})
+      for (const int y : {at - 1, at}) CHECK(texel(image, x, y)[0] == (at < 8 ? 200 : 0));
+}
+
 TEST_CASE("pictures that leaves show whole or more than once stay as they are") {
   for (const float high : {1.0F, 2.5F}) {
     Image image = half_yellow(255);

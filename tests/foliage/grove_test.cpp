@@ -22,13 +22,14 @@ const std::vector<PreparedPlant>& plants() {
     std::vector<PreparedPlant> made;
     for (const char* name : {"oak", "conifer"})
       made.push_back(prepare(grow_plant(builtin_species(name), 3), {.visibility_side = 0}));
-    made.push_back(load_or_prepare({MANZANA_PLANTS "/grass.json"}, {}, {.visibility_side = 0}, {}));
+    for (const char* file : {MANZANA_PLANTS "/grass.json", MANZANA_PLANTS "/herb.json"})
+      made.push_back(load_or_prepare({file}, {}, {.visibility_side = 0}, {}));
     return made;
   }();
   return all;
 }
 
-constexpr std::uint32_t kOak = 0, kGrass = 2;
+constexpr std::uint32_t kOak = 0, kGrass = 2, kHerb = 3;
 
 /// Far from each other, of their natural proportions; `kinds` of them by turns.
 std::vector<TreeSite> make_sites(std::uint32_t n, std::uint32_t kinds, std::uint32_t first = kOak) {
@@ -150,6 +151,31 @@ TEST_CASE("grove: a level is the first part of all and is the same each time") {
   CHECK(part.points.size() == points_at(all.rule.points, 2));
   CHECK(same(all, part, part.points.size()));
   CHECK(part.rule.points == all.rule.points);
+}
+
+TEST_CASE("grove: no point is wider than another, nor than the rule has it, however unlike its plants are") {
+  constexpr double kWidest = 1.75;  // errors: 1 / sqrt(GroveOptions::points), more where points hide each other
+  std::vector<TreeSite> herbs = make_sites(40, 1, kHerb), mixed = make_sites(120, 1, kGrass), wood = make_sites(30, 2);
+  mixed.insert(mixed.end(), herbs.begin(), herbs.end());
+  for (const std::vector<TreeSite>& sites : {herbs, mixed, wood}) {
+    const Grove grove = make_grove(plants(), sites);
+    double highest = 0;
+    for (const TreeSite& site : sites)
+      highest = std::max(highest, static_cast<double>(plants()[site.plant].height_m * site.height));
+    for (const double up : {0.0, 0.7, 1.0})
+      for (double height = GroveOptions{}.none(); height > 0.5; height *= 0.6) {
+        const double error_m = highest / height;
+        const GroveShown shown = shown_of(grove.rule, {error_m, up, 1, {}}, grove.rule.points);
+        double widest = 0, sum = 0;
+        for (std::uint32_t i = 0; i < shown.count; ++i) {
+          const double width = std::sqrt(static_cast<double>(grove.points[i].area * shown.scale)) / error_m;
+          widest = std::max(widest, width), sum += width;
+        }
+        CAPTURE(up, height, shown.count);
+        CHECK(widest < 1.25 * sum / shown.count);
+        CHECK(widest < kWidest);
+      }
+  }
 }
 
 TEST_CASE("grove: from a level are as many points as any view asks for that takes it") {
