@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "foliage/random.h"
 
@@ -83,14 +84,11 @@ double shown_area(std::span<const LeafPoint> points, double meant) {
   return sum;
 }
 
-/// Between what is known of the views, by the angle: what a tree covers falls ever faster towards the zenith by its
-/// sine.
-template <class OfView>  // float(std::size_t view)
+/// By the angle.
+template <class OfView>  // a number of (std::size_t view)
 float at_view(double up, OfView&& of_view) {
-  constexpr double kHalfWay = 30;  // degrees
-  const double angle = glm::degrees(std::asin(std::clamp(std::abs(up), 0.0, 1.0)));
-  return angle < kHalfWay ? std::lerp(of_view(0), of_view(1), static_cast<float>(angle / kHalfWay))
-                          : std::lerp(of_view(1), of_view(2), static_cast<float>((angle - kHalfWay) / (90 - kHalfWay)));
+  const double angle = std::asin(std::clamp(std::abs(up), 0.0, 1.0));
+  return static_cast<float>(between_views(angle / (std::numbers::pi / 2) * (kGroveViews - 1), of_view));
 }
 
 double cover_at(const GroveRule& rule, const GroveSight& sight) {
@@ -103,40 +101,52 @@ double meant_at(const GroveRule& rule, const GroveSight& sight) {
   return rule.per_square * cover_at(rule, sight) / (sight.error_m * sight.error_m * sight.times);
 }
 
-/// Squares reach beyond the outline of a wood that they are spread over, by half their side, and hide less of each
-/// other there: by how much less they should cover.
+/// Squares reach beyond the outline of a wood that they are spread over, and hide less of each other there: by how much
+/// less they should cover. By a quarter of their side, measured; it would be half of it if a wood's outline were sharp.
 double within_outline(const GroveSight& sight, double cover_m2, double square_m2) {
   const Vec2d& a = sight.outline_m;
-  const double side = std::sqrt(square_m2), area = a.x * a.y, larger = (a.x + side) * (a.y + side);
+  const double side = 0.5 * std::sqrt(square_m2), area = a.x * a.y, larger = (a.x + side) * (a.y + side);
   if (!(area > 0 && cover_m2 > 0)) return 1;
   const double covered = area * -std::expm1(-cover_m2 / area);
   return -larger * std::log1p(-covered / larger) / cover_m2;
 }
 
-double cover_of(const PreparedPlant& plant, const TreeSite& site, std::size_t view) {
-  return outline_scale(plant, site, view) * static_cast<double>(plant.grove.cover_m2[view]);
+double cover_of(const PreparedPlant& plant, const NaturalView& seen) {
+  return seen.scale * between_views(seen.view, [&](std::size_t view) { return plant.grove.cover_m2[view]; });
 }
 
 /// What all trees' points should sum up to when so large a share of them is meant; what they cover, and that by what
 /// they should be lighter.
 struct Sum {
-  double area = 0, light = 0, cover = 0;
+  double share, area = 0, light = 0, cover = 0;
 };
-struct Meant {
-  double a_m2, share;
-};
-Sum sum_of(std::span<const PreparedPlant> plants, std::span<const TreeSite> sites, std::size_t view,
-           const Meant& meant) {
-  Sum sum;
-  for (const TreeSite& site : sites) {
-    const PreparedPlant& plant = plants[site.plant];
-    const double n = meant.share * mean_points(plant, site, meant.a_m2), cover = cover_of(plant, site, view);
-    if (n == 0) continue;
-    sum.area += outline_scale(plant, site, view) * fitted(plant.grove.area, view, n);
-    sum.light += cover * fitted(plant.grove.light, view, n);
+
+void add_to(std::span<Sum> sums, const PreparedPlant& plant, const NaturalView& seen, double points) {
+  if (points == 0) return;
+  const double cover = cover_of(plant, seen);
+  for (Sum& sum : sums) {
+    const double n = sum.share * points;
+    sum.area += seen.scale * fitted(plant.grove.area, seen.view, n);
+    sum.light += cover * fitted(plant.grove.light, seen.view, n);
     sum.cover += cover;
   }
-  return sum;
+}
+
+template <class AddTrees>  // void(std::size_t view, std::span<Sum>)
+void fit_to_trees(GroveRule& rule, std::span<const LeafPoint> points, AddTrees&& add_trees) {
+  if (points.empty()) return;
+  const auto n = static_cast<double>(points.size());
+  std::array<Sum, std::tuple_size_v<GroveRule::Table::value_type>> shares;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    shares[i].share = std::max(1.0, std::exp2(-static_cast<double>(i)) * n / kBeyond) / n;
+  for (std::size_t view = 0; view < kGroveViews; ++view) {
+    auto sums = shares;
+    add_trees(view, sums);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      rule.worth[view][i] = static_cast<float>(sums[i].area / shown_area(points, n * sums[i].share) * sums[i].share);
+      rule.light[view][i] = static_cast<float>(sums[i].light / sums[i].cover);
+    }
+  }
 }
 
 }  // namespace
@@ -164,7 +174,7 @@ GroveRule grove_rule(std::span<const PreparedPlant> plants, std::span<const Tree
     const PreparedPlant& plant = plants[site.plant];
     rule.points += points_of(site, mean_points(plant, site, a_m2));
     rule.cover_m2 += plant.cover_m2 * site.radius * site.height;
-    for (std::size_t view = 0; view < kGroveViews; ++view) cover[view] += cover_of(plant, site, view);
+    for (std::size_t view = 0; view < kGroveViews; ++view) cover[view] += cover_of(plant, natural_view(site, view));
   }
   for (std::size_t view = 0; view < kGroveViews && rule.cover_m2 > 0; ++view)
     rule.cover[view] = static_cast<float>(cover[view]) / rule.cover_m2;
@@ -181,16 +191,10 @@ Grove make_grove(std::span<const PreparedPlant> plants, std::span<const TreeSite
     add_tree(plants[site.plant], site, mean_points(plants[site.plant], site, a_m2), all);
   std::stable_sort(all.begin(), all.end(), [](const Ranked& a, const Ranked& b) { return a.key < b.key; });
   for (const Ranked& ranked : all) grove.points.push_back(ranked.point);
-  const auto n = static_cast<double>(all.size());
-  for (std::size_t i = 0; i < rule.worth[0].size(); ++i) {
-    const double meant = std::max(1.0, std::exp2(-static_cast<double>(i)) * n / kBeyond),
-                 shown = shown_area(grove.points, meant);
-    for (std::size_t view = 0; view < kGroveViews && shown > 0; ++view) {
-      const Sum sum = sum_of(plants, sites, view, {a_m2, meant / n});
-      rule.worth[view][i] = static_cast<float>(sum.area / shown * meant / n);
-      rule.light[view][i] = static_cast<float>(sum.light / sum.cover);
-    }
-  }
+  fit_to_trees(rule, grove.points, [&](std::size_t view, std::span<Sum> sums) {
+    for (const TreeSite& site : sites)
+      add_to(sums, plants[site.plant], natural_view(site, view), mean_points(plants[site.plant], site, a_m2));
+  });
   grove.points.resize(points_at(rule.points, level));
   return grove;
 }

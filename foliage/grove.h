@@ -33,10 +33,10 @@ struct GroveOptions {
 
 /// What says how many of its points are shown.
 struct GroveRule {
-  std::uint32_t points = 0;                       ///< all of them
-  double per_square = GroveOptions{}.points;      ///< GroveOptions::points
-  float cover_m2 = 0;                             ///< the sum of what its trees hide, from their sides
-  std::array<float, kGroveViews> cover{1, 1, 1};  ///< from each view, over that
+  std::uint32_t points = 0;                          ///< all of them
+  double per_square = GroveOptions{}.points;         ///< GroveOptions::points
+  float cover_m2 = 0;                                ///< the sum of what its trees hide, from their sides
+  std::array<float, kGroveViews> cover{1, 1, 1, 1};  ///< from each view, over that
   /// By what areas are multiplied, so that points cover what trees do, times the share that is meant of all: where as
   /// many are meant as there is room for, half of them, and so on.
   using Table = std::array<std::array<float, 20>, kGroveViews>;

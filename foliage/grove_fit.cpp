@@ -15,7 +15,9 @@ namespace {
 constexpr std::size_t kTrials = 64, kSquares = 4096;  // at least so many trees, each from another side, and points
 constexpr double kSteepest = 10;                      // rise: almost from above, so that eight sides are eight pictures
 
-float sine_of(std::size_t view) { return static_cast<float>(view) / (kGroveViews - 1); }
+float sine_of(std::size_t view) {
+  return std::sin(std::numbers::pi_v<float> / 2 * static_cast<float>(view) / (kGroveViews - 1));
+}
 
 using Trials = std::vector<std::vector<Square>>;
 
@@ -110,21 +112,18 @@ void add_grove(PreparedPlant& plant) {
   }
 }
 
-double fitted(const GroveFit::Table& table, std::size_t view, double points) {
+double fitted(const GroveFit::Table& table, double view, double points) {
   const double at = std::clamp(std::log2(points), 0.0, static_cast<double>(kGroveFits - 1));
   const auto i = std::min(static_cast<std::size_t>(at), kGroveFits - 2);
-  return std::lerp(static_cast<double>(table[view][i]), static_cast<double>(table[view][i + 1]),
-                   at - static_cast<double>(i));
+  const auto t = static_cast<float>(at - static_cast<double>(i));
+  return between_views(view, [&](std::size_t v) { return std::lerp(table[v][i], table[v][i + 1], t); });
 }
 
-double outline_scale(const PreparedPlant& plant, const TreeSite& site, std::size_t view) {
-  const double up = static_cast<double>(sine_of(view)), level = std::sqrt(1 - up * up);
-  const auto outline = [&](float wide, float high) {
-    const double r = static_cast<double>(plant.crown_radius_m * wide),
-                 h = static_cast<double>(plant.height_m * high) / 2;
-    return r * std::sqrt(h * level * h * level + r * up * r * up);  // std::hypot is slow, and sites are many
-  };
-  return outline(site.radius, site.height) / outline(1, 1);
+// An area is as large as its shadow across d: S, the stretching, makes det S |S^-1 d| of it, and S^-1 d of d.
+NaturalView natural_view(const TreeSite& site, std::size_t view) {
+  const double r = static_cast<double>(site.radius), h = static_cast<double>(site.height),
+               up = static_cast<double>(sine_of(view)), x = std::sqrt(1 - up * up) / r, z = up / h;
+  return {std::atan2(z, x) / (std::numbers::pi / 2) * (kGroveViews - 1), r * r * h * std::sqrt(x * x + z * z)};
 }
 
 // Digits of a point's place in the order are those of the halves in which it lies, so an exclusive or changes which

@@ -102,8 +102,8 @@ struct Visibility {
   std::vector<std::uint8_t> share;  ///< cell c, direction d: share[c * side * side + d] / 255
 };
 
-/// The sine of the eye's elevation is 0, 1/2, 1.
-inline constexpr std::size_t kGroveViews = 3;
+/// The eye's elevation is 0, 30, 60, 90 degrees.
+inline constexpr std::size_t kGroveViews = 4;
 inline constexpr std::size_t kGroveFits = 8;  ///< 1, 2, 4, ... 128 points
 
 /// What a tree's first few points cover, and how they look, where it is one of a grove's: foliage/grove_fit.h

@@ -178,7 +178,7 @@ TEST_CASE("groves: cover and shine as the trees do from three directions where t
 
 TEST_CASE(
     "groves: grass, herbs and trees cover what the plants do and have their colour, from all sides and distances") {
-  constexpr double kCover = 0.08, kColour = 0.01;
+  constexpr double kCover = 0.06, kColour = 0.01;
   const gl::HeadlessContext context;
   const auto meadow = meadow_plants(), trees = two_plants();
   struct Stand {
@@ -279,7 +279,7 @@ TEST_CASE("groves: a wood covers as much on the way to its grove as before and a
 TEST_CASE("groves: those out of sight make room and what is in sight stays") {
   const gl::HeadlessContext context;
   const auto plants = two_plants();
-  const Scene scene = make_scene({make_wood(44, 4, {-1000, 0}), make_wood(44, 4, {1000, 0})});
+  const Scene scene = make_scene({make_wood(54, 4, {-1000, 0}), make_wood(54, 4, {1000, 0})});
   Renderer renderer(scene, plants, sampled(1), 8 * foliage::GroveDrawer::kPageBytes);  // room for one page
   const auto view_of = [&](std::size_t block, double back) {
     const Vec3d forward(0, 0.1, -1);

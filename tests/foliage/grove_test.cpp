@@ -178,6 +178,19 @@ TEST_CASE("grove: no point is wider than another, nor than the rule has it, howe
   }
 }
 
+TEST_CASE("grove: a stretched ball and a stretched disc cover what geometry says") {
+  for (const auto& [r, h] : {std::pair{1.0, 1.0}, {0.5, 2.0}, {3.0, 0.7}})
+    for (std::size_t view = 0; view < kGroveViews; ++view) {
+      TreeSite site{};
+      site.radius = static_cast<float>(r), site.height = static_cast<float>(h);
+      const NaturalView seen = natural_view(site, view);
+      const double e = glm::radians(30.0 * static_cast<double>(view)), natural = glm::radians(30.0 * seen.view);
+      CAPTURE(r, h, view);
+      CHECK(seen.scale == Approx(r * std::hypot(h * std::cos(e), r * std::sin(e))));
+      CHECK(seen.scale * std::sin(natural) == Approx(r * r * std::sin(e)).margin(1e-6));
+    }
+}
+
 TEST_CASE("grove: from a level are as many points as any view asks for that takes it") {
   const GroveRule rule = make_grove(plants(), make_sites(12, 2)).rule;
   for (double error_m = 0.1; error_m < 1e4; error_m *= 1.3) {
