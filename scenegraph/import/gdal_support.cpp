@@ -7,20 +7,6 @@
 namespace manzana {
 namespace {
 
-/// Messages go nowhere; the last one is asked for where something failed.
-class Quiet {
- public:
-  Quiet() {
-    static std::once_flag once;
-    std::call_once(once, [] { GDALAllRegister(); });
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-    CPLErrorReset();
-  }
-  ~Quiet() { CPLPopErrorHandler(); }
-  Quiet(const Quiet&) = delete;
-  Quiet& operator=(const Quiet&) = delete;
-};
-
 std::string last_message(const std::string& otherwise) {
   const std::string text = CPLGetLastErrorMsg();
   return text.empty() ? otherwise : text.substr(0, text.find('\n'));
@@ -28,10 +14,18 @@ std::string last_message(const std::string& otherwise) {
 
 }  // namespace
 
+GdalSilence::GdalSilence() {
+  static std::once_flag once;
+  std::call_once(once, [] { GDALAllRegister(); });
+  CPLPushErrorHandler(CPLQuietErrorHandler);
+  CPLErrorReset();
+}
+
+GdalSilence::~GdalSilence() { CPLPopErrorHandler(); }
+
 GdalFile::GdalFile(const std::filesystem::path& file, unsigned flags, const std::vector<const char*>& drivers) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) throw std::runtime_error("no such file");
-  const Quiet quiet;
   std::vector<const char*> allowed = drivers;
   allowed.push_back(nullptr);
   dataset_.reset(GDALDataset::Open(file.c_str(), flags | GDAL_OF_READONLY, allowed.data()));
@@ -39,7 +33,7 @@ GdalFile::GdalFile(const std::filesystem::path& file, unsigned flags, const std:
 }
 
 OGRSpatialReference spatial_reference(const std::string& name) {
-  const Quiet quiet;
+  const GdalSilence silence;
   OGRSpatialReference system;
   if (system.SetFromUserInput(name.empty() ? "EPSG:4326" : name.c_str(),
                               OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) != OGRERR_NONE)
@@ -48,7 +42,7 @@ OGRSpatialReference spatial_reference(const std::string& name) {
 }
 
 GeoTransform::GeoTransform(OGRSpatialReference system, Way way) {
-  const Quiet quiet;
+  const GdalSilence silence;
   OGRSpatialReference degrees = spatial_reference("");
   degrees.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
@@ -58,7 +52,7 @@ GeoTransform::GeoTransform(OGRSpatialReference system, Way way) {
 }
 
 bool GeoTransform::apply(OGRGeometry& geometry) const {
-  const Quiet quiet;
+  const GdalSilence silence;
   if (geometry.transform(transform_.get()) != OGRERR_NONE) return false;
   OGREnvelope box;
   geometry.getEnvelope(&box);
@@ -66,7 +60,7 @@ bool GeoTransform::apply(OGRGeometry& geometry) const {
 }
 
 bool GeoTransform::apply(double& x, double& y) const {
-  const Quiet quiet;
+  const GdalSilence silence;
   return transform_->Transform(1, &x, &y) != FALSE && std::isfinite(x) && std::isfinite(y);
 }
 

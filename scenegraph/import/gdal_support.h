@@ -12,6 +12,16 @@
 
 namespace manzana {
 
+/// On its thread, as long as it lives, GDAL's messages go nowhere; the last one is kept.
+class GdalSilence {
+ public:
+  GdalSilence();
+  ~GdalSilence();
+  GdalSilence(const GdalSilence&) = delete;
+  GdalSilence& operator=(const GdalSilence&) = delete;
+};
+
+/// A file's messages may come as late as its bytes are read.
 class GdalFile {
  public:
   /// A regular file, by one of those drivers. Throws std::runtime_error without the file's name.
@@ -23,6 +33,7 @@ class GdalFile {
   struct Close {
     void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
   };
+  GdalSilence silence_;
   std::unique_ptr<GDALDataset, Close> dataset_;
 };
 

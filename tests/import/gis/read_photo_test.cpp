@@ -1,6 +1,8 @@
 // Orthophotos: where their pixels come to lie, whatever they are in, and what is told of those that cannot be used.
 #include "scenegraph/import/read_photo.h"
 
+#include <cpl_error.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -127,4 +129,19 @@ TEST_CASE("read photo: what cannot be used is told") {
   picture.system = {};
   write_picture(folder.path() / "nowhere.tif", picture, "EPSG:32635", known_colour);
   message("nowhere.tif", "does not say where it lies");
+}
+
+TEST_CASE("read photo: a file that is cut short is told, and GDAL prints nothing of its own") {
+  static int messages;
+  messages = 0;
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "cut.tif";
+  MadePicture picture{.system = "EPSG:32635"};
+  picture.to_place = placed_at(kMiddle, "EPSG:32635", 1, 0, picture);
+  write_picture(file, picture, "EPSG:32635", known_colour);
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+  const CPLErrorHandler before = CPLSetErrorHandler([](CPLErr, CPLErrorNum, const char*) { ++messages; });
+  CHECK_THROWS_WITH(read_ground_photo(file, LocalFrame(kMiddle), kCity, {}), Catch::StartsWith(file.string() + ": "));
+  CPLSetErrorHandler(before);
+  CHECK(messages == 0);
 }
