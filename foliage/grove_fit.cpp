@@ -12,7 +12,7 @@
 namespace manzana::foliage {
 namespace {
 
-constexpr std::size_t kTrials = 64, kSquares = 4096;  // at least so many trees, each from another side, and points
+constexpr std::size_t kTrials = 64, kSquares = 1024;  // at least so many trees, each from another side, and points
 constexpr double kSteepest = 10;                      // rise: almost from above, so that eight sides are eight pictures
 
 float sine_of(std::size_t view) {
