@@ -3,7 +3,9 @@
 #include <QCommandLineParser>
 #include <QStatusBar>
 #include <QTimer>
+#include <algorithm>
 #include <cstdio>
+#include <string_view>
 
 #include "apps/qt_viewer/viewer_window.h"
 
@@ -24,19 +26,24 @@ void save_and_end(manzana::qt::ViewerWindow& window, const QString& file) {
   };
 }
 
+bool asks_for_help(int argc, char** argv) {
+  return std::any_of(argv + 1, argv + argc, [](std::string_view a) { return a == "-h" || a == "--help"; });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  manzana::qt::ask_for_context();
-  QApplication application(argc, argv);
-  QApplication::setApplicationName("manzana-qt-viewer");
+  QCoreApplication::setApplicationName("manzana-qt-viewer");
   QCommandLineParser parser;
   parser.setApplicationDescription("Shows a city, its layers, and what is where.");
   parser.addHelpOption();
-  parser.addPositionalArgument("CITY", "builtin:town or a file of OpenStreetMap", "[CITY]");
+  parser.addPositionalArgument("CITY", "builtin:town, a file of OpenStreetMap or CityJSON, or a baked city", "[CITY]");
   const QCommandLineOption picture("screenshot", "write the window to FILE once the city is drawn, and end", "FILE");
   const QCommandLineOption photo("orthophoto", "a picture from the air over the ground (GDAL)", "FILE");
   parser.addOptions({picture, photo});
+  if (asks_for_help(argc, argv)) parser.process(QCoreApplication(argc, argv));  // ends, and needs no display
+  manzana::qt::ask_for_context();
+  QApplication application(argc, argv);
   parser.process(application);
   manzana::qt::ViewerWindow window;
   window.resize(1100, 700);
