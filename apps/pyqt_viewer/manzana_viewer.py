@@ -101,7 +101,7 @@ class CityWidget(QtWidgets.QOpenGLWidget):
                       int(self.height() * ratio))
 
     def paintGL(self):
-        self.gl.glClearColor(c.c_float(0.62), c.c_float(0.76), c.c_float(0.9), c.c_float(1))  # the host's own drawing
+        self.gl.glClearColor(c.c_float(0.87), c.c_float(0.86), c.c_float(0.83), c.c_float(1))  # the host's own drawing
         self.gl.glClear(0x4100)
         update, error = Update(), Error()
         self.m.manzana_view_update(self.view, c.byref(self.camera()), c.c_size_t(1), c.c_double(0), c.byref(update), None)

@@ -104,7 +104,7 @@ HostCamera CityWidget::camera() const {
 
 void CityWidget::paintGL() {
   QOpenGLFunctions* gl = context()->functions();
-  gl->glClearColor(0.62F, 0.76F, 0.90F, 1);
+  gl->glClearColor(0.87F, 0.86F, 0.83F, 1);
   gl->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   drawn_before();
   try {
