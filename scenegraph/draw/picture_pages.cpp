@@ -52,11 +52,13 @@ void copy(GLuint from, const Square& first, GLuint to, const Square& second, GLs
   }
 }
 
+/// Without the finest levels of the square, if the place is smaller.
 void upload(const gl::Texture& pages, const Square& place, const PictureSquare& square) {
+  const GLsizei skip = levels_of(square.front().columns) - levels_of(place.side);
   for (GLsizei level = 0; level < levels_of(place.side); ++level)
     glTextureSubImage3D(pages.name(), level, at_level(place.x, level), at_level(place.y, level),
                         static_cast<GLint>(place.page), at_level(place.side, level), at_level(place.side, level), 1,
-                        GL_RGBA, GL_UNSIGNED_BYTE, square[static_cast<std::size_t>(level)].texels.data());
+                        GL_RGBA, GL_UNSIGNED_BYTE, square[static_cast<std::size_t>(level + skip)].texels.data());
 }
 
 std::uint32_t side_for(double pixels, std::uint32_t full) {
@@ -126,8 +128,8 @@ bool PicturePages::add(const PictureWanted& wanted, const PictureSquare& square)
   if (row.held && row.held->side >= side) return false;
   if (side > room_.side()) return false;
   release(row);
-  row.held = place(side);
-  row.refused = row.held ? 0 : now_;
+  for (std::uint32_t fits = side; !row.held && fits > 0; fits /= 2) row.held = place(fits);
+  row.refused = row.held && row.held->side == side ? 0 : now_;
   if (row.held) upload(pages_, *row.held, square);
   tell(row);
   return row.held.has_value();

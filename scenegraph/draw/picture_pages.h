@@ -34,7 +34,8 @@ class PicturePages {
   void end();
   /// Of what is in sight: not held, or coarser than a pixel.
   std::span<const PictureWanted> wanted() const { return wanted_; }
-  /// False: it is there already, or there is no room; then it is not wanted for a while.
+  /// As fine as there is room for; if that is less than was wanted, it is not wanted for a while. False: it is there
+  /// already, or there is no room at all.
   bool add(const PictureWanted& wanted, const PictureSquare& square);
   void bind() const;
   std::size_t device_bytes() const;

@@ -127,4 +127,21 @@ TEST_CASE("pictures: where all that is seen needs more than there is all of it i
   CHECK(errors.messages().empty());
 }
 
+TEST_CASE("pictures: one that finds no place of its size stays as fine as there is a place for") {
+  const gl::HeadlessContext context;
+  PicturePages pages(made(16), kPage + 1000);
+  for (std::uint32_t p = 0; p < 16; ++p) {  // a sixteenth of the page each
+    look(pages, {p}, 64);
+    REQUIRE(give(pages) == 1);
+  }
+  pages.begin();
+  for (const std::uint32_t p : {0U, 4U, 8U, 12U}) pages.see(p, 64);  // one in each quarter
+  pages.see(1, 128);
+  pages.end();
+  REQUIRE(pages.wanted().size() == 1);
+  give(pages);
+  CHECK(pages.holds(1));
+  for (const std::uint32_t p : {0U, 4U, 8U, 12U}) CHECK(pages.holds(p));
+}
+
 }  // namespace manzana::draw

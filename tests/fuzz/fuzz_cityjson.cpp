@@ -2,16 +2,13 @@
 // whether as a document or as a sequence. Beside the "file" lies a picture, a.png.
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include "scenegraph/import/building_levels.h"
 #include "scenegraph/import/cityjson.h"
 #include "scenegraph/import/meshes.h"
 #include "scenegraph/import/picture_square.h"
+#include "tests/fuzz/input_file.h"
 
 namespace {
 
@@ -25,16 +22,6 @@ constexpr unsigned char kPng[] = {
     0x02, 0x00, 0x00, 0x00, 0x02, 0x08, 0x02, 0x00, 0x00, 0x00, 0xfd, 0xd4, 0x9a, 0x73, 0x00, 0x00, 0x00, 0x12, 0x49,
     0x44, 0x41, 0x54, 0x78, 0x9c, 0x63, 0xf8, 0xcf, 0xc0, 0xc0, 0x00, 0xc2, 0x0c, 0xff, 0x81, 0x00, 0x00, 0x1f, 0xee,
     0x05, 0xfb, 0x0b, 0xd9, 0x68, 0x8b, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
-
-const std::filesystem::path& folder() {
-  static const std::filesystem::path made = [] {
-    std::string name = (std::filesystem::temp_directory_path() / "manzana-fuzz-XXXXXX").string();
-    require(mkdtemp(name.data()) != nullptr);
-    std::ofstream(std::filesystem::path(name) / "a.png").write(reinterpret_cast<const char*>(kPng), sizeof kPng);
-    return name;
-  }();
-  return made;
-}
 
 void check(const manzana::Pictures& pictures) {
   for (const manzana::Texture& texture : pictures.textures) require(texture.picture < pictures.encoded.size());
@@ -75,10 +62,12 @@ void check(const manzana::CityFeatures& city) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const InputFile picture;
+  static const std::filesystem::path folder = picture.with(kPng, "a.png").parent_path();
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   try {
-    check(manzana::read_cityjson_bytes(bytes, (data[0] & 1) != 0, {}, {}, folder()));
+    check(manzana::read_cityjson_bytes(bytes, (data[0] & 1) != 0, {}, {}, folder));
   } catch (const std::runtime_error&) {
   }
   return 0;

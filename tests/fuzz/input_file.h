@@ -1,8 +1,6 @@
 #pragma once
-/// What a fuzzer's reader wants as a file: one for the process, in memory where there is room for that, written anew
-/// each time and gone at the end.
-#include <unistd.h>
-
+/// What a fuzzer's reader wants as a file, or beside it: one for the process, in memory where there is room for that,
+/// written anew each time and gone at the end.
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -15,8 +13,9 @@ class InputFile {
   InputFile() {
     const std::filesystem::path memory = "/dev/shm";
     const auto parent = std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
-    folder_ = parent / ("manzana-fuzz-" + std::to_string(getpid()));
-    std::filesystem::create_directory(folder_);
+    std::string name = (parent / "manzana-fuzz-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) std::abort();
+    folder_ = name;
   }
   ~InputFile() {
     std::error_code ignored;
