@@ -82,14 +82,14 @@ std::optional<Row> from_line(std::string_view line, std::span<const Column<Row>>
   return row;
 }
 
-/// Lines that are no rows are passed over, so that a text of another version counts as empty.
+/// Lines that are no rows are passed over, so that a text of another version counts as empty; so is a line without its
+/// end, whose last number may be cut.
 template <class Row>
 std::vector<Row> rows_of(std::string_view csv, std::span<const Column<Row>> columns) {
   std::vector<Row> rows;
-  while (!csv.empty()) {
-    const std::size_t end = std::min(csv.find('\n'), csv.size());
+  for (std::size_t end = csv.find('\n'); end != csv.npos; end = csv.find('\n')) {
     if (auto row = from_line(csv.substr(0, end), columns)) rows.push_back(*std::move(row));
-    csv.remove_prefix(std::min(end + 1, csv.size()));
+    csv.remove_prefix(end + 1);
   }
   return rows;
 }

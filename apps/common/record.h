@@ -1,11 +1,14 @@
 #pragma once
-/// The rows of a run on disk, so that an interrupted run goes on: the file is whole after each row.
+/// The rows of a run on disk, so that an interrupted run goes on: each row is there as soon as it is kept.
 ///   Record<Row> record(out / "runs.csv", columns, [&](const Row& row) { return same_run(row, facts); });
 ///   if (record.find(is_it) == nullptr) record.keep(measure());
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <stdexcept>
+#include <utility>
 
 #include "apps/common/csv.h"
 #include "files/whole_file.h"
@@ -26,14 +29,19 @@ class Record {
   }
 
   const std::vector<Row>& rows() const { return rows_; }
+  /// The file anew, where it holds anything else, or else a line more. Throws std::runtime_error.
   void keep(Row row) {
     rows_.push_back(std::move(row));
-    files::write_whole(file_, to_csv<Row>(rows_, columns_));
+    if (std::exchange(holds_rows_, false))
+      append();
+    else
+      files::write_whole(file_, to_csv<Row>(rows_, columns_));
+    holds_rows_ = true;
   }
   /// The file keeps them until the next row is kept.
   template <class F>
   void drop(F&& is_it) {
-    std::erase_if(rows_, is_it);
+    if (std::erase_if(rows_, is_it) > 0) holds_rows_ = false;
   }
   template <class F>
   const Row* find(F&& is_it) const {
@@ -42,9 +50,16 @@ class Record {
   }
 
  private:
+  void append() {
+    std::ofstream out(file_, std::ios::binary | std::ios::app);
+    out << to_line(rows_.back(), columns_) << std::flush;
+    if (!out) throw std::runtime_error(file_.string() + ": cannot be written");
+  }
+
   std::filesystem::path file_;
   std::span<const Column<Row>> columns_;
   std::vector<Row> rows_;
+  bool holds_rows_ = false;  ///< the file, just these
 };
 
 }  // namespace manzana::apps

@@ -1,9 +1,12 @@
 #include "apps/foliage_benchmark/image_error.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "apps/common/quantile.h"
 #include "foliage/leaf_image.h"
@@ -15,21 +18,27 @@ constexpr int kGrownBy = 5;  // pixels
 
 /// One number a pixel.
 struct Plane {
-  int width = 0, height = 0;
+  Plane(int columns, int rows)
+      : width(columns), height(rows), values(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
+  int width, height;
   std::vector<float> values;
+
   /// Beyond the border it goes on as it ends.
-  float at(int x, int y) const {
-    const int i = std::clamp(x, 0, width - 1), j = std::clamp(y, 0, height - 1);
-    return values[static_cast<std::size_t>(j) * static_cast<std::size_t>(width) + static_cast<std::size_t>(i)];
+  const float* row(int y) const {
+    return &values[static_cast<std::size_t>(std::clamp(y, 0, height - 1)) * static_cast<std::size_t>(width)];
   }
+  float* row(int y) { return const_cast<float*>(std::as_const(*this).row(y)); }
+  float at(int x, int y) const { return row(y)[std::clamp(x, 0, width - 1)]; }
 };
 
+/// Rows side by side.
 template <class F>
 Plane make_plane(int width, int height, F&& f) {
-  Plane plane{width, height, {}};
-  plane.values.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) plane.values.push_back(f(x, y));
+  Plane plane(width, height);
+  tbb::parallel_for(0, height, [&](int y) {
+    float* row = plane.row(y);
+    for (int x = 0; x < width; ++x) row[x] = f(x, y);
+  });
   return plane;
 }
 
@@ -41,25 +50,36 @@ Plane luma_of(const Picture& picture) {
   });
 }
 
-std::array<float, 11> gaussian() {
-  std::array<float, 11> weights{};
+constexpr int kReach = 5;
+using Window = std::array<float, 2 * kReach + 1>;
+
+Window gaussian() {
+  Window weights{};
   float sum = 0;
-  for (int i = -5; i <= 5; ++i)
-    sum += weights[static_cast<std::size_t>(i + 5)] = std::exp(-static_cast<float>(i * i) / 4.5F);
+  for (int i = -kReach; i <= kReach; ++i)
+    sum += weights[static_cast<std::size_t>(i + kReach)] = std::exp(-static_cast<float>(i * i) / 4.5F);
   for (float& w : weights) w /= sum;
   return weights;
 }
 
+/// Sums of rows, as compilers make vectors of them: of values beside each other, then above each other.
 Plane blurred(const Plane& plane) {
-  static const auto weights = gaussian();
-  const auto pass = [](const Plane& from, int dx, int dy) {
-    return make_plane(from.width, from.height, [&](int x, int y) {
-      float sum = 0;
-      for (int i = -5; i <= 5; ++i) sum += weights[static_cast<std::size_t>(i + 5)] * from.at(x + i * dx, y + i * dy);
-      return sum;
-    });
+  static const Window weights = gaussian();
+  const auto n = static_cast<std::size_t>(plane.width);
+  const auto add = [n](float weight, const float* from, float* to) {
+    for (std::size_t x = 0; x < n; ++x) to[x] += weight * from[x];
   };
-  return pass(pass(plane, 1, 0), 0, 1);
+  Plane across(plane.width, plane.height), both = across;
+  tbb::parallel_for(0, plane.height, [&](int y) {
+    std::vector<float> wide(n + weights.size());
+    for (std::size_t x = 0; x < wide.size(); ++x) wide[x] = plane.at(static_cast<int>(x) - kReach, y);
+    for (std::size_t i = 0; i < weights.size(); ++i) add(weights[i], &wide[i], across.row(y));
+  });
+  tbb::parallel_for(0, plane.height, [&](int y) {
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      add(weights[i], across.row(y + static_cast<int>(i) - kReach), both.row(y));
+  });
+  return both;
 }
 
 Plane product(const Plane& a, const Plane& b) {
@@ -179,19 +199,19 @@ double psnr_of(const Picture& a, const Picture& b, const std::vector<bool>& judg
 }  // namespace
 
 std::vector<bool> judged_pixels(const Picture& a, const Picture& b, int grown_by) {
-  std::vector<bool> judged(a.texels.size());
-  const auto mark = [&](int x, int y) {
-    if (x < 0 || y < 0 || x >= a.width || y >= a.height) return;
-    judged[static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(x)] = true;
+  std::vector<unsigned char> judged(a.texels.size());
+  const auto mark = [&](int x, int y, int half) {
+    if (y < 0 || y >= a.height) return;
+    const auto row = judged.begin() + static_cast<std::ptrdiff_t>(y) * a.width;
+    std::fill(row + std::max(x - half, 0), row + std::min(x + half + 1, a.width), 1);
   };
   for (int y = 0; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x) {
       if (a.at(x, y).w <= 0 && b.at(x, y).w <= 0) continue;
       for (int j = -grown_by; j <= grown_by; ++j)
-        for (int i = -grown_by; i <= grown_by; ++i)
-          if (i * i + j * j <= grown_by * grown_by) mark(x + i, y + j);
+        mark(x, y + j, static_cast<int>(std::sqrt(grown_by * grown_by - j * j)));
     }
-  return judged;
+  return {judged.begin(), judged.end()};
 }
 
 ImageError image_error(const Picture& reference, const Picture& candidate) {

@@ -53,4 +53,37 @@ TEST_CASE("record: a line that was cut short is passed over") {
   Record<Row>(file, columns(), [](const Row&) { return true; }).keep(row_of("a"));
   std::ofstream(file, std::ios::app) << "half,a,li";
   CHECK(Record<Row>(file, columns(), [](const Row&) { return true; }).rows().size() == 1);
+  Row row = row_of("c");
+  row.calibration_ms = 12.5;
+  const std::string line = to_line(row, columns());
+  std::ofstream(file) << head_line(columns()) << line.substr(0, line.size() - 2);  // all cells are there, the last cut
+  CHECK(Record<Row>(file, columns(), [](const Row&) { return true; }).rows().empty());
+}
+
+TEST_CASE("record: a row more is a line more and what is dropped goes with the next row") {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "runs.csv";
+  const auto open = [&] { return Record<Row>(file, columns(), [](const Row&) { return true; }); };
+  auto record = open();
+  std::string text = head_line(columns());
+  for (const char* name : {"a", "b", "c"}) {
+    record.keep(row_of(name));
+    text += to_line(record.rows().back(), columns());
+    CHECK(read_all(file) == text);
+  }
+  record.drop([](const Row& row) { return row.name == "b"; });
+  record.keep(row_of("d"));
+  CHECK(read_all(file) == to_csv<Row>(record.rows(), columns()));
+  const auto again = open();
+  CHECK(again.rows().size() == 3);
+}
+
+TEST_CASE("record: a file that cannot be written any more is said") {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "of" / "runs.csv";
+  std::filesystem::create_directory(file.parent_path());
+  Record<Row> record(file, columns(), [](const Row&) { return true; });
+  record.keep(row_of("a"));
+  std::filesystem::remove_all(file.parent_path());
+  CHECK_THROWS_WITH(record.keep(row_of("b")), Catch::Contains("runs.csv"));
 }
