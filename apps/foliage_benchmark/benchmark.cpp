@@ -16,6 +16,7 @@
 #include "apps/foliage_benchmark/contact_sheet.h"
 #include "apps/foliage_benchmark/errors_report.h"
 #include "apps/foliage_benchmark/forest_path.h"
+#include "apps/foliage_benchmark/from_above.h"
 #include "apps/foliage_benchmark/popping.h"
 #include "apps/foliage_benchmark/times.h"
 #include "apps/foliage_benchmark/trade_report.h"
@@ -263,7 +264,10 @@ void measure_forest(const Options& options) {
       forest.ground, forest.path(plan.stops, plan.height_px), plan.errors,
       [&](double done) { bar.show("image errors", done); }, record,
       [&](const std::string& name, const Picture& sheet) { write_sheet(options.out / (name + ".png"), sheet); });
-  const Times times = measure_rows({options.quick, options.out}, [&](Times& t) { add_forest_path(forest, plan, t); });
+  const Times times = measure_rows({options.quick, options.out}, [&](Times& t) {
+    add_forest_path(forest, plan, t);
+    add_from_above(forest.plants, plan, t);
+  });
   const auto verdicts = judge(rows);
   files::write_whole(options.out / "runs.csv", apps::to_csv<ErrorRow>(rows, error_columns()));
   files::write_whole(options.out / "summary.csv", apps::to_csv<Verdict>(verdicts, verdict_columns()));

@@ -11,6 +11,7 @@ ForestPathPlan forest_path_plan(bool quick) {
   plan.errors.exactness.error_px = draw::quality_named("balanced").tree_error_px;
   if (!quick) return plan;
   plan.trees = 300;
+  plan.many_trees = 200;
   plan.height_px = 360;
   plan.frames = 12;
   plan.rounds = 1;

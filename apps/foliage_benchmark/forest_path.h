@@ -12,9 +12,10 @@ namespace manzana::foliage_benchmark {
 struct ForestPathPlan {
   std::uint32_t trees = 4000;
   double most_full_quads = 2e6;
-  int height_px = 720;           ///< 16 : 9
-  int frames = 128, rounds = 3;  ///< that are timed, each so often: the least counts
-  int stops = 20;                ///< evenly along the path, for counts and errors
+  int height_px = 720;                ///< 16 : 9
+  int frames = 128, rounds = 3;       ///< that are timed, each so often: the least counts
+  int stops = 20;                     ///< evenly along the path, for counts and errors
+  std::uint32_t many_trees = 10'000;  ///< from above, and ten times as many
   ForestErrorPlan errors;
 };
 /// As `--quality balanced` has it.

@@ -55,6 +55,14 @@ Picture Ground::draw(const Shot& shot, const Exactness& exactness, Sampling samp
   return stage_.draw(all, shot, how);
 }
 
+double Ground::overdraw(const Shot& shot, const Exactness& exactness) {
+  double samples = 0;
+  for (const Vec4& texel : draw(shot, exactness, Sampling::product).texels)
+    samples += kProductSamples * static_cast<double>(texel.w);
+  const Runs all = in_view(shot);
+  return static_cast<double>(stage_.samples_drawn(all, shot, how_drawn(all, shot, exactness))) / std::max(samples, 1.0);
+}
+
 HowDrawn Ground::show(const Shot& shot, const Exactness& exactness, TimeRow& row) {
   row.covered_px = static_cast<double>(covered(draw(shot, exactness, Sampling::product)));
   set_shown(stage_.shown(), row);

@@ -38,6 +38,8 @@ class Ground {
   std::vector<foliage::Run> in_view(const Shot& shot, std::uint32_t every = 1) const;
   /// Ours, with all that the far side wants for it.
   Picture draw(const Shot& shot, const Exactness& exactness, Sampling sampling);
+  /// Of that, as the product samples it: samples drawn, hidden or not, over those covered.
+  double overdraw(const Shot& shot, const Exactness& exactness);
 
  private:
   using Runs = std::vector<foliage::Run>;

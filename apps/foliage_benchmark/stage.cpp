@@ -272,8 +272,9 @@ void Stage::clear(Room& room) {
   glClearNamedFramebufferfv(room.drawn.name(), GL_DEPTH, 0, &nothing.x);
 }
 
-void Stage::extract_and_draw(Room& room, const Shot& shot, FarSide* far) {
+void Stage::extract_and_draw(Room& room, const Shot& shot, const HowDrawn& how) {
   clear(room);
+  if (how.hidden_too) glDepthFunc(GL_ALWAYS);
   const double enlarged = static_cast<double>(room.width) / shot.width;
   foliage::DrawPlantsOptions options;  // no wind
   options.focal_px = static_cast<float>(shot.focal_px * enlarged);
@@ -287,7 +288,7 @@ void Stage::extract_and_draw(Room& room, const Shot& shot, FarSide* far) {
     if (rest.empty()) break;
     shown_before_ = shown();
   }
-  if (far != nullptr) draw_far(*far, options.focal_px, room.samples);
+  if (how.far != nullptr) draw_far(*how.far, options.focal_px, room.samples);
 }
 
 /// Means over squares of `factor` pixels.
@@ -321,7 +322,7 @@ Picture Stage::read(Room& room, int factor) {
 Stage::Room& Stage::room_for(const Shot& shot, Sampling sampling) {
   const bool fine = sampling == Sampling::fine;
   const int enlarged = fine ? shot.fine : 1;
-  return room_for(shot.width * enlarged, shot.height * enlarged, sampling == Sampling::product ? 4 : 1);
+  return room_for(shot.width * enlarged, shot.height * enlarged, sampling == Sampling::product ? kProductSamples : 1);
 }
 
 Stage::Room& Stage::paint_into_room(const Paint& paint, const Shot& shot, Sampling sampling) {
@@ -335,7 +336,7 @@ Stage::Room& Stage::paint_into_room(const Paint& paint, const Shot& shot, Sampli
 Stage::Room& Stage::draw_into_room(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) {
   Room& room = room_for(shot, how.sampling);
   begin(runs, shot, how);
-  extract_and_draw(room, shot, how.far);
+  extract_and_draw(room, shot, how);
   return room;
 }
 
@@ -356,6 +357,20 @@ void Stage::draw_only(const Paint& paint, const Shot& shot, Sampling sampling) {
 void Stage::draw_only(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) {
   draw_into_room(runs, shot, how);
   glFinish();
+}
+
+std::uint64_t Stage::samples_drawn(std::span<const foliage::Run> runs, const Shot& shot, HowDrawn how) {
+  how.sampling = Sampling::product;
+  how.hidden_too = true;
+  GLuint name = 0;
+  glCreateQueries(GL_SAMPLES_PASSED, 1, &name);
+  const gl::Query query(name);
+  glBeginQuery(GL_SAMPLES_PASSED, name);
+  draw_into_room(runs, shot, how);
+  glEndQuery(GL_SAMPLES_PASSED);
+  GLuint64 samples = 0;
+  glGetQueryObjectui64v(name, GL_QUERY_RESULT, &samples);
+  return samples;
 }
 
 void Stage::extract_only(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) {

@@ -18,6 +18,7 @@ namespace manzana::foliage_benchmark {
 /// fine: the mean of a picture so many times the size that leaves' pictures are resolved, as references are drawn;
 /// product: four samples a pixel; single: one.
 enum class Sampling : std::uint8_t { fine, product, single };
+inline constexpr int kProductSamples = 4;
 
 /// A camera and its picture's size. Plants stand on the plane z = 0 of the scene.
 struct Shot {
@@ -48,7 +49,8 @@ struct HowDrawn {
   double error_px = 1;
   Sampling sampling = Sampling::fine;
   bool heed_neighbours = true;
-  FarSide* far = nullptr;  ///< small trees are its mosaics and groves; null: none are
+  FarSide* far = nullptr;   ///< small trees are its mosaics and groves; null: none are
+  bool hidden_too = false;  ///< what is behind something else is drawn over it
 };
 
 /// Triangles and points.
@@ -84,6 +86,8 @@ class Stage {
   /// The same of what `paint` draws.
   Picture draw(const Paint& paint, const Shot& shot, Sampling sampling);
   void draw_only(const Paint& paint, const Shot& shot, Sampling sampling);
+  /// Of the product's, hidden or not.
+  std::uint64_t samples_drawn(std::span<const foliage::Run> runs, const Shot& shot, HowDrawn how);
   void extract_only(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
   /// Of the last picture.
   foliage::Shown shown();
@@ -109,7 +113,7 @@ class Stage {
   std::vector<std::uint32_t> words_of(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how) const;
   std::size_t part_of(std::span<const std::uint32_t> words) const;
   void extract_trees(std::span<const std::uint32_t> words);
-  void extract_and_draw(Room& room, const Shot& shot, FarSide* far);
+  void extract_and_draw(Room& room, const Shot& shot, const HowDrawn& how);
   Room& draw_into_room(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
   Room& paint_into_room(const Paint& paint, const Shot& shot, Sampling sampling);
   static Picture read(Room& room, int factor);

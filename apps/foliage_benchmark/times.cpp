@@ -37,6 +37,7 @@ const std::vector<C> kOwnColumns{
     {"ratio_hi", "", "", &R::ratio_hi},
     {"pairs", "", "that were timed", &R::pairs},
     {"covered_px", "pixels", "that plants cover, however little", &R::covered_px},
+    {"overdraw", "", "samples drawn, hidden ones too, over those covered", &R::overdraw},
     {"cover", "", "over all detail's, finely sampled", &R::cover},
     {"colour", "", "difference of mean colours, linear", &R::colour},
     {"ssim", "", "against all detail, finely sampled", &R::ssim},

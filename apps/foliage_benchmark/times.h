@@ -26,6 +26,7 @@ struct TimeRow {
   std::optional<double> ms = {}, ms_99 = {}, reference_ms = {};
   std::optional<double> ratio = {}, ratio_lo = {}, ratio_hi = {};  ///< how many times as fast as the reference
   std::optional<std::uint64_t> pairs = {};
+  std::optional<double> overdraw = {};  ///< samples drawn, hidden or not, over those covered
   std::optional<double> covered_px = {}, cover = {}, colour = {}, ssim = {}, gmsd = {};
   std::optional<double> bytes = {};         ///< of memory
   std::optional<double> source_value = {};  ///< what stands in the source's table

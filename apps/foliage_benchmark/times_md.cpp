@@ -30,6 +30,7 @@ std::vector<std::string> cells_of(const TimeRow& row) {
           count_of(row.lines),
           count_of(row.points),
           value_of(row.covered_px),
+          value_of(row.overdraw),
           value_of(row.ms),
           value_of(row.ms_99),
           value_of(row.reference_ms),
@@ -56,11 +57,11 @@ void leave_out_empty(Cells& cells) {
 }  // namespace
 
 std::string rows_md(std::span<const TimeRow> rows, std::string_view table) {
-  Cells cells{
-      {"plant",        "way",           "reference", "trees",  "error px",   "primitives", "reference's",
-       "bark",         "leaves",        "lines",     "points", "covered px", "ms",         "ms, 99th percentile",
-       "reference ms", "times as fast", "bytes",     "cover",  "colour",     "SSIM",       "GMSD",
-       "source"}};
+  Cells cells{{"plant",        "way",           "reference", "trees",  "error px",
+               "primitives",   "reference's",   "bark",      "leaves", "lines",
+               "points",       "covered px",    "overdraw",  "ms",     "ms, 99th percentile",
+               "reference ms", "times as fast", "bytes",     "cover",  "colour",
+               "SSIM",         "GMSD",          "source"}};
   for (const TimeRow& row : rows)
     if (row.table == table) cells.push_back(cells_of(row));
   if (cells.size() == 1) return {};

@@ -131,9 +131,10 @@ TEST_CASE("foliage benchmark: a forest's frames are timed and judged and the sam
   CAPTURE(ended.err);
   REQUIRE(ended.code == 0);
   CHECK(table_of(out / "runs.csv").size() == 1 + 3 * 4);
-  CHECK(table_of(out / "times.csv").size() == 1 + 3 + 1);
+  CHECK(table_of(out / "times.csv").size() == 1 + 3 + 1 + 2);
   CHECK(std::filesystem::exists(out / "frame_0.png"));
-  CHECK(read_all(out / "report.md").find("## A forest along a path") != std::string::npos);
+  for (const char* title : {"## A forest along a path", "## A forest from above"})
+    CHECK(read_all(out / "report.md").find(title) != std::string::npos);
   const std::string before = read_all(out / "runs.csv") + read_all(out / "times.csv");
   REQUIRE(run_benchmark(folder.path(), run).code == 0);
   CHECK(read_all(out / "runs.csv") + read_all(out / "times.csv") == before);  // dates too

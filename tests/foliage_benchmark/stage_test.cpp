@@ -1,4 +1,5 @@
 // Plants on the stage: how large they are in the picture, and what a still camera sees twice.
+#include <array>
 #include <catch2/catch.hpp>
 #include <numbers>
 
@@ -99,6 +100,23 @@ TEST_CASE("stage: points and lines cover what leaves and branches do at the bord
     CHECK(full > 100);
     CHECK(ours / full == Approx(1).margin(0.03));
   }
+}
+
+TEST_CASE("stage: samples that are drawn are those covered and those hidden") {
+  const gl::HeadlessContext context;
+  Stage stage(shrub(), sites_of(shrub(), 3));
+  stage.set_law(foliage::Law::full);
+  const Shot shot = shot_of(extent_of(shrub().front()), 1, 0.3, 64);
+  const auto drawn = [&](std::uint32_t copies) {
+    return static_cast<double>(stage.samples_drawn(std::array{foliage::Run{0, copies}}, shot, {}));
+  };
+  double covered = 0;
+  for (const Vec4& texel : stage.draw({0, 1}, shot, {.sampling = Sampling::product}).texels)
+    covered += kProductSamples * static_cast<double>(texel.w);
+  CAPTURE(covered);
+  CHECK(drawn(1) > 1.2 * covered);
+  CHECK(drawn(1) < 10 * covered);
+  CHECK(drawn(3) == Approx(3 * drawn(1)).epsilon(0.02));  // at the same place, each with thresholds of its own
 }
 
 TEST_CASE("errors: full detail has none and floors are the worse of two") {
