@@ -30,10 +30,18 @@ std::vector<foliage::Run> Ground::in_view(const Shot& shot, std::uint32_t every)
 HowDrawn Ground::how_drawn(const Runs& runs, const Shot& shot, const Exactness& exactness) {
   stage_.set_law(Law::ours);
   const auto rows = stage_.rows_seen_from(shot.view.eye);
-  const double error =
-      error_for(costs_, stage_.table(), {stage_.sites(), rows, runs, exactness.error_px / shot.focal_px},
-                {.vertices = exactness.vertices, .room = foliage::room_of(stage_.capacity())});
-  return {.error_px = error * shot.focal_px, .sampling = Sampling::product, .far = far()};
+  foliage::TreesSeen seen{stage_.sites(), rows, runs, exactness.error_px / shot.focal_px};
+  if (far_) {
+    words_.resize(seen.sites.size());
+    split_trees(*far_, {stage_.table(), seen}, words_.data());
+    seen.runs = far_->trees.near;
+  }
+  const double error = error_for(costs_, stage_.table(), seen,
+                                 {.vertices = exactness.vertices, .room = foliage::room_of(stage_.capacity())});
+  return {.error_px = error * shot.focal_px,
+          .sampling = Sampling::product,
+          .far_error_px = exactness.error_px,
+          .far = far()};
 }
 
 void Ground::draw_frame(const Shot& shot, const Exactness& exactness) {

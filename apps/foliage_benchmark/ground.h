@@ -43,6 +43,7 @@ class Ground {
 
  private:
   using Runs = std::vector<foliage::Run>;
+  /// The budget is of the trees that are near, as in the walkthrough.
   HowDrawn how_drawn(const Runs& runs, const Shot& shot, const Exactness& exactness);
   void draw_frame(const Shot& shot, const Exactness& exactness);
   double least_ms(const Shot& shot, const Exactness& exactness, int times);
@@ -55,6 +56,7 @@ class Ground {
   Stage stage_;
   foliage::CostTable costs_;
   std::optional<FarSide> far_;
+  std::vector<std::uint32_t> words_;  // of the frame at hand
 };
 
 }  // namespace manzana::foliage_benchmark

@@ -209,7 +209,8 @@ std::vector<std::uint32_t> Stage::words_of(std::span<const foliage::Run> runs, c
     for (std::uint32_t site = run.first; site < run.last; ++site) words.push_back(site);
   if (how.far == nullptr) return words;
   const std::vector<Vec4> rows = rows_seen_from(shot.view.eye);
-  words.resize(split_trees(*how.far, {store_.table, {sites_, rows, runs, how.error_px / shot.focal_px}}, words.data()));
+  const double error_px = how.far_error_px > 0 ? how.far_error_px : how.error_px;
+  words.resize(split_trees(*how.far, {store_.table, {sites_, rows, runs, error_px / shot.focal_px}}, words.data()));
   return words;
 }
 

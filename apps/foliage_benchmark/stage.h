@@ -48,6 +48,7 @@ Shot window_of(const Shot& shot, int left, int low, int width, int height);
 struct HowDrawn {
   double error_px = 1;
   Sampling sampling = Sampling::fine;
+  double far_error_px = 0;  ///< of the far side, where it is another; 0: it is not
   bool heed_neighbours = true;
   FarSide* far = nullptr;   ///< small trees are its mosaics and groves; null: none are
   bool hidden_too = false;  ///< what is behind something else is drawn over it
