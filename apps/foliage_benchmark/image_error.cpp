@@ -42,12 +42,27 @@ Plane make_plane(int width, int height, F&& f) {
   return plane;
 }
 
-/// sRGB luma, 0 to 255.  [ITU-R BT.709, item 3.3]
-Plane luma_of(const Picture& picture) {
-  return make_plane(picture.width, picture.height, [&](int x, int y) {
-    const Vec3 light = seen_at(picture.at(x, y));
-    return 255 * foliage::luminance({to_srgb(light.x), to_srgb(light.y), to_srgb(light.z)});
+Vec3 srgb_at(const Vec4& texel) {
+  const Vec3 light = seen_at(texel);
+  return {to_srgb(light.x), to_srgb(light.y), to_srgb(light.z)};
+}
+
+/// Before the sky, which most of a picture is.
+std::vector<Vec3> srgb_of(const Picture& picture) {
+  const Vec3 sky = srgb_at(Vec4(0));
+  std::vector<Vec3> all(picture.texels.size());
+  tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
+    const Vec4& texel = picture.texels[i];
+    all[i] = texel == Vec4(0) ? sky : srgb_at(texel);
   });
+  return all;
+}
+
+/// 0 to 255.  [ITU-R BT.709, item 3.3]
+Plane luma_of(const std::vector<Vec3>& srgb, int width, int height) {
+  Plane plane(width, height);
+  std::ranges::transform(srgb, plane.values.begin(), [](const Vec3& c) { return 255 * foliage::luminance(c); });
+  return plane;
 }
 
 constexpr int kReach = 5;
@@ -182,16 +197,13 @@ void compare_silhouettes(const Picture& a, const Picture& b, ImageError& error) 
   if (cover > 0) error.silhouette = differences / cover;
 }
 
-double psnr_of(const Picture& a, const Picture& b, const std::vector<bool>& judged) {
+double psnr_of(const std::vector<Vec3>& a, const std::vector<Vec3>& b, const std::vector<bool>& judged) {
   double sum = 0, n = 0;
   for (std::size_t i = 0; i < judged.size(); ++i) {
     if (!judged[i]) continue;
-    const Vec3 p = seen_at(a.texels[i]), q = seen_at(b.texels[i]);
-    for (int c = 0; c < 3; ++c) {
-      const auto d = static_cast<double>(to_srgb(p[c]) - to_srgb(q[c]));
-      sum += d * d;
-      n += 1;
-    }
+    const Vec3d d = Vec3d(a[i] - b[i]);
+    sum += glm::dot(d, d);
+    n += 3;
   }
   return sum > 0 ? std::min(99.0, -10 * std::log10(sum / n)) : 99;
 }
@@ -220,10 +232,12 @@ ImageError image_error(const Picture& reference, const Picture& candidate) {
   compare_sums(reference, candidate, error);
   compare_silhouettes(reference, candidate, error);
   const auto judged = judged_pixels(reference, candidate, kGrownBy);
-  const Plane a = luma_of(reference), b = luma_of(candidate);
+  const std::vector<Vec3> seen_a = srgb_of(reference), seen_b = srgb_of(candidate);
+  const Plane a = luma_of(seen_a, reference.width, reference.height),
+              b = luma_of(seen_b, reference.width, reference.height);
   error.ssim = moments(ssim_map(a, b), judged, a.width, 1).mean;
   error.gmsd = moments(gradient_similarity(a, b), judged, a.width, 2).deviation;
-  error.psnr = psnr_of(reference, candidate, judged);
+  error.psnr = psnr_of(seen_a, seen_b, judged);
   return error;
 }
 
@@ -233,9 +247,8 @@ Step step_between(const Picture& before, const Picture& after) {
   double sum = 0;
   for (std::size_t i = 0; i < judged.size(); ++i) {
     if (!judged[i]) continue;
-    const Vec3 p = seen_at(before.texels[i]), q = seen_at(after.texels[i]);
-    float largest = 0;
-    for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(to_srgb(p[c]) - to_srgb(q[c])));
+    const Vec3 d = glm::abs(srgb_at(before.texels[i]) - srgb_at(after.texels[i]));
+    const float largest = std::max({d.x, d.y, d.z});
     steps.push_back(static_cast<double>(largest));
     sum += steps.back();
   }

@@ -51,14 +51,13 @@ void upload(const gl::Buffer& buffer, const T& value) {
   glNamedBufferSubData(buffer.name(), 0, sizeof value, &value);
 }
 
-std::vector<unsigned char> read_bytes(const gl::Framebuffer& from, GLenum attachment, GLenum format, int width,
-                                      int height) {
+void read_bytes(const gl::Framebuffer& from, GLenum attachment, GLenum format, int width, int height,
+                std::vector<unsigned char>& bytes) {
   const std::size_t channels = format == GL_RGBA ? 4 : 1;
-  std::vector<unsigned char> bytes(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels);
+  bytes.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels);
   glNamedFramebufferReadBuffer(from.name(), attachment);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
   glReadPixels(0, 0, width, height, format, GL_UNSIGNED_BYTE, bytes.data());
-  return bytes;
 }
 
 std::array<float, 256> decoding() {
@@ -303,17 +302,17 @@ Picture Stage::read(Room& room, int factor) {
                            room.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
   const gl::Framebuffer& from = many ? room.flat : room.drawn;
-  const auto colour = read_bytes(from, GL_COLOR_ATTACHMENT0, GL_RGBA, room.width, room.height);
-  const auto mask = read_bytes(from, GL_COLOR_ATTACHMENT1, GL_RED, room.width, room.height);
+  read_bytes(from, GL_COLOR_ATTACHMENT0, GL_RGBA, room.width, room.height, colour_);
+  read_bytes(from, GL_COLOR_ATTACHMENT1, GL_RED, room.width, room.height, mask_);
   static const auto linear = decoding();
   Picture picture = make_picture(room.width / factor, room.height / factor);
   for (int y = 0; y < room.height; ++y) {
     for (int x = 0; x < room.width; ++x) {
       const std::size_t i =
           static_cast<std::size_t>(y) * static_cast<std::size_t>(room.width) + static_cast<std::size_t>(x);
-      if (mask[i] == 0) continue;
-      picture.at(x / factor, y / factor) += Vec4{linear[colour[4 * i]], linear[colour[4 * i + 1]],
-                                                 linear[colour[4 * i + 2]], static_cast<float>(mask[i]) / 255};
+      if (mask_[i] == 0) continue;
+      picture.at(x / factor, y / factor) += Vec4{linear[colour_[4 * i]], linear[colour_[4 * i + 1]],
+                                                 linear[colour_[4 * i + 2]], static_cast<float>(mask_[i]) / 255};
     }
   }
   for (Vec4& texel : picture.texels) texel /= static_cast<float>(factor * factor);

@@ -117,7 +117,7 @@ class Stage {
   void extract_and_draw(Room& room, const Shot& shot, const HowDrawn& how);
   Room& draw_into_room(std::span<const foliage::Run> runs, const Shot& shot, const HowDrawn& how);
   Room& paint_into_room(const Paint& paint, const Shot& shot, Sampling sampling);
-  static Picture read(Room& room, int factor);
+  Picture read(Room& room, int factor);
 
   std::vector<foliage::PreparedPlant> plants_;
   std::vector<foliage::TreeSite> sites_;
@@ -128,9 +128,10 @@ class Stage {
   std::optional<foliage::Law> law_;
   std::size_t blocks_ = 1;
   foliage::TreesInView in_view_;
-  std::vector<std::uint32_t> words_;  // of the picture at hand
-  foliage::Shown shown_before_;       // of its parts but for the last
-  std::vector<Room> rooms_;           // the newest last
+  std::vector<std::uint32_t> words_;          // of the picture at hand
+  foliage::Shown shown_before_;               // of its parts but for the last
+  std::vector<Room> rooms_;                   // the newest last
+  std::vector<unsigned char> colour_, mask_;  // read last
 };
 
 /// The rows that select() and extract() are told, of a scene whose only block is the scene itself.

@@ -86,6 +86,8 @@ TradePlan trade_plan(bool quick) {
   TradePlan plan;
   plan.errors.settings = settings_of(quick);
   plan.errors.mode = quick ? "quick" : "full";
+  plan.errors.heights = {256, 128, 64, 32, 16, 12};
+  plan.errors.product = false;
   plan.far = wood_plan(quick);
   if (!quick) return plan;
   plan.wood_trees = 16;
@@ -93,7 +95,6 @@ TradePlan trade_plan(bool quick) {
   plan.step_range = 1.2;
   plan.errors.heights = {96, 24};
   plan.errors.views = 3;
-  plan.errors.product = false;
   plan.stand_trees = 16;
   plan.stand_rows = 120;
   return plan;
