@@ -270,7 +270,8 @@ void manzana_view_update(manzana_view* view, const manzana_camera* cameras, size
   std::vector<HostCamera> eyes(count);
   std::transform(cameras, cameras + count, eyes.begin(), camera_of);
   const Update& now = view->view.update(eyes, seconds);
-  if (update != nullptr) *update = {now.bytes_to_upload, now.far_trees_left, now.gpu_bytes, now.shown ? 1 : 0};
+  if (update != nullptr)
+    *update = {now.bytes_to_upload, now.far_trees_left, now.pictures_left, now.gpu_bytes, now.shown ? 1 : 0};
   for (std::size_t i = 0; seen != nullptr && i < count; ++i) {
     const Update::Seen& s = now.cameras[i];
     seen[i] = {s.blocks, s.buildings, s.surfaces, s.trees, s.cars, s.nodes};

@@ -163,6 +163,7 @@ typedef struct manzana_seen {
 typedef struct manzana_update {
   uint64_t bytes_to_upload; /* 0: all is there */
   uint64_t far_trees_left;  /* what far trees wait for */
+  uint64_t pictures_left;   /* likewise what buildings wear, in mean colours until then */
   uint64_t gpu_bytes;
   int32_t shown; /* what is new starts hidden */
 } manzana_update;

@@ -25,8 +25,8 @@ class Camera(c.Structure):
 
 
 class Update(c.Structure):
-    _fields_ = [("bytes_to_upload", c.c_uint64), ("far_trees_left", c.c_uint64), ("gpu_bytes", c.c_uint64),
-                ("shown", c.c_int32)]
+    _fields_ = [("bytes_to_upload", c.c_uint64), ("far_trees_left", c.c_uint64), ("pictures_left", c.c_uint64),
+                ("gpu_bytes", c.c_uint64), ("shown", c.c_int32)]
 
 
 class Feature(c.Structure):

@@ -6,7 +6,8 @@
 #include "foliage/import/load_plant.h"
 #include "manzana/manzana.h"
 #include "tests/support/program.h"
-#include "tests/view/host.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/view/worn_house.h"
 
 using namespace manzana;
 
@@ -117,6 +118,41 @@ TEST_CASE("c: far trees are made by the host's tasks and the picture is complete
   manzana_view_update(view, &camera, 1, 0, &update, nullptr);
   CHECK(update.far_trees_left == 0);
   CHECK(tasks > 0);
+  manzana_view_release(view);
+  manzana_view_free(view);
+  manzana_model_free(city);
+}
+
+TEST_CASE("c: pictures that are being made are told of") {
+  const gl::HeadlessContext context;
+  const TemporaryFolder folder;
+  worn_house::write_quarters(folder.path() / "quarters.png");
+  const std::string file = worn_house::written(folder.path(), worn_house::house("wrap", {0, 0}, {1, 1})).string();
+  const manzana_camera camera = as_c(worn_house::before_wall(Model::load(file, {.cars = 0, .trees = false})->scene()));
+  manzana_error error{};
+  manzana_model* city = manzana_model_load(file.c_str(), nullptr, nullptr, nullptr, &error);
+  REQUIRE(city != nullptr);
+  const HostWindow window(worn_house::kWidth, worn_house::kHeight);
+  using Task = std::pair<void (*)(void*), void*>;
+  std::vector<Task> tasks;
+  const manzana_host host{&tasks, nullptr, nullptr, nullptr, [](void* list, void (*task)(void*), void* argument) {
+                            static_cast<std::vector<Task>*>(list)->emplace_back(task, argument);
+                          }};
+  manzana_view* view = manzana_view_create(&host, nullptr);
+  manzana_view_show(view, city);
+  const auto left = [&] {
+    manzana_update update{};
+    for (int frame = 0; frame < 20; ++frame) {
+      manzana_view_update(view, &camera, 1, 0, &update, nullptr);
+      window.bind();
+      REQUIRE(manzana_view_render(view, 0, &error) == 1);
+    }
+    return update.pictures_left;
+  };
+  CHECK(left() == 1);
+  for (const auto& [task, argument] : std::vector(tasks)) task(argument);
+  CHECK(left() == 0);
+  CHECK(manzana_view_complete(view) == 1);
   manzana_view_release(view);
   manzana_view_free(view);
   manzana_model_free(city);
