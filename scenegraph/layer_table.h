@@ -26,6 +26,12 @@ struct LayerTable {
   }
 };
 
+/// Of a row, in L. `origin`: the tree's.
+inline culling::BoxD box_of(const LayerTable& table, std::uint32_t row, const Vec3d& origin) {
+  const culling::Box& box = table.boxes[row];
+  return {Vec3d(box.min) + origin, Vec3d(box.max) + origin};
+}
+
 /// How many of the layer's objects are in the runs of the tree's.
 std::uint64_t count(const LayerTable& table, std::span<const culling::ObjectRun> objects);
 

@@ -197,6 +197,7 @@ void CityMeshes::release(LayerPieces& layer, std::size_t p) {
 void CityMeshes::upload(const Wanted& wanted, const Place& place) {
   LayerPieces& layer = *wanted.pieces;
   const ItemMesh item = mesh_of(*wanted.layer, layer, wanted.item);
+  const std::uint32_t first_row = layer.pieces[wanted.item % layer.count].rows.first;
   PaintedIndices sorted = sort_by_paint(item.mesh, item.index_first);
   put_vertices(place.vertices, item.mesh);
   put(indices_, place.indices, sorted.indices);
@@ -204,7 +205,7 @@ void CityMeshes::upload(const Wanted& wanted, const Place& place) {
     layer.painted[p] |= sorted.first[p].front() < sorted.first[p].back();
     for (std::uint32_t& first : sorted.first[p]) first += place.indices;
   }
-  layer.held[wanted.item] = LayerPieces::Held{place.vertices, std::move(sorted.first), worn_by(item.mesh)};
+  layer.held[wanted.item] = LayerPieces::Held{place.vertices, std::move(sorted.first), worn_by(item, first_row)};
 }
 
 void CityMeshes::put_vertices(std::uint32_t at, const CityMesh& mesh) {

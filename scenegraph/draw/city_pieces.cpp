@@ -127,17 +127,20 @@ double distance(const MeshDetail& detail, const culling::BoxD& box) {
   return glm::length(glm::max(glm::max(box.min - detail.eye, detail.eye - box.max), Vec3d(0)));
 }
 
-std::vector<Worn> worn_by(const CityMesh& mesh) {
-  std::map<std::uint32_t, float> metres;
-  for (std::size_t i = 0; i < mesh.indices.size() && !mesh.textures.empty(); i += 3) {
-    const std::uint32_t texture = texture_of(mesh, mesh.indices[i + 2]);
-    if (texture == 0 || texture == kCovered) continue;
-    const auto corner = [&](std::size_t k) -> const CityVertex& { return mesh.vertices[mesh.indices[i + k]]; };
-    float& most = metres[texture];
-    most = std::max(most, metres_of(corner(0), corner(1), corner(2)));
-  }
+std::vector<Worn> worn_by(const ItemMesh& item, std::uint32_t first_row) {
   std::vector<Worn> worn;
-  for (const auto& [texture, side] : metres) worn.push_back({texture, side});
+  const CityMesh& mesh = item.mesh;
+  for (std::uint32_t row = 0; row + 1 < item.index_first.size() && !mesh.textures.empty(); ++row) {
+    std::map<std::uint32_t, float> metres;
+    for (std::uint32_t i = item.index_first[row]; i < item.index_first[row + 1]; i += 3) {
+      const std::uint32_t texture = texture_of(mesh, mesh.indices[i + 2]);
+      if (texture == 0 || texture == kCovered) continue;
+      const auto corner = [&](std::uint32_t k) -> const CityVertex& { return mesh.vertices[mesh.indices[i + k]]; };
+      float& most = metres[texture];
+      most = std::max(most, metres_of(corner(0), corner(1), corner(2)));
+    }
+    for (const auto& [texture, side] : metres) worn.push_back({first_row + row, texture, side});
+  }
   return worn;
 }
 
@@ -166,10 +169,8 @@ LayerPieces::LayerPieces(const MeshLayer& layer, const Vec3d& origin)
   for (std::uint32_t p = 0; p < count; ++p) {
     piece_of.insert(piece_of.end(), size_of(pieces[p].rows), p);
     shown[p] = {p, p, 1};
-    for (std::uint32_t row = pieces[p].rows.first; row < pieces[p].rows.last; ++row) {
-      const culling::Box& box = layer.table.boxes[row];
-      boxes[p] = merge(boxes[p], {Vec3d(box.min) + origin, Vec3d(box.max) + origin});
-    }
+    for (std::uint32_t row = pieces[p].rows.first; row < pieces[p].rows.last; ++row)
+      boxes[p] = merge(boxes[p], box_of(layer.table, row, origin));
   }
   in_sight.reserve(count);
   add_levels(pieces, layer);

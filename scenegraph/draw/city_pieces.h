@@ -31,12 +31,12 @@ struct MeshDetail {
 };
 double distance(const MeshDetail& detail, const culling::BoxD& box);  ///< metres; 0 inside
 
-/// What a mesh wears, and how many metres the side of the picture is there, at most.
+/// What a row's mesh wears, and how many metres the side of the picture is there, at most.
 struct Worn {
+  std::uint32_t row = 0;      ///< of the layer
   std::uint32_t texture = 0;  ///< from 1
   float metres = 0;
 };
-std::vector<Worn> worn_by(const CityMesh& mesh);
 /// In CityMesh::textures of an item: what wore a picture has a host's colour.
 inline constexpr std::uint32_t kCovered = ~0U;
 /// A level is alone from so many times the distance on where it first may be drawn.
@@ -95,5 +95,7 @@ struct ItemMesh {
   std::vector<std::uint32_t> index_first;
 };
 ItemMesh mesh_of(const MeshLayer& layer, const LayerPieces& pieces, std::uint32_t item);
+/// Row after row, from that of the layer on which the item begins.
+std::vector<Worn> worn_by(const ItemMesh& item, std::uint32_t first_row);
 
 }  // namespace manzana::draw

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace manzana::draw {
 namespace {
@@ -204,15 +205,18 @@ void PicturePages::bind() const {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kWornBinding, worn_.name());
 }
 
-void see(PicturePages& pages, const Pictures& pictures, const LayerPieces& pieces, const MeshDetail& detail) {
-  for (const std::uint32_t piece : pieces.in_sight) {
-    const double pixel = distance(detail, pieces.boxes[piece]) * detail.pixel_at_1m;
-    for (const std::uint32_t item : {pieces.shown[piece].item, pieces.shown[piece].next}) {
-      if (!pieces.held[item]) continue;
-      for (const Worn& worn : pieces.held[item]->worn)
-        pages.see(pictures.textures[worn.texture - 1].picture, static_cast<double>(worn.metres) / pixel);
-    }
-  }
+void see(PicturePages& pages, const Scene& scene, const LayerPieces& buildings, const MeshDetail& detail) {
+  std::uint32_t row = ~0U;
+  double pixel = 0;
+  const auto see_worn = [&](const Worn& worn) {
+    if (std::exchange(row, worn.row) != worn.row)
+      pixel = distance(detail, box_of(scene.buildings.table, row, scene.tree.origin)) * detail.pixel_at_1m;
+    const Texture& texture = scene.pictures.textures[worn.texture - 1];
+    pages.see(texture.picture, static_cast<double>(worn.metres) / pixel);
+  };
+  for (const std::uint32_t piece : buildings.in_sight)
+    for (const std::uint32_t item : {buildings.shown[piece].item, buildings.shown[piece].next})
+      if (buildings.held[item]) std::ranges::for_each(buildings.held[item]->worn, see_worn);
 }
 
 }  // namespace manzana::draw

@@ -3,7 +3,7 @@
 /// as it was needed when it came. What is seen and not held is asked for, and drawn in its mean colour until it comes;
 /// what was not seen for longest makes room, and where all that is seen needs more than there is, all of it is coarser.
 ///   PicturePages pages(scene.pictures, most_bytes);
-///   pages.begin(); see(pages, scene.pictures, meshes.buildings, detail); pages.end();      // each picture
+///   pages.begin(); see(pages, scene, meshes.buildings, detail); pages.end();               // each picture
 ///   for (const PictureWanted& w : pages.wanted()) ...make picture_square(..., w.side)...; pages.add(w, square);
 ///   pages.bind();                                                                          // for worn.glsl
 #include <optional>
@@ -69,7 +69,7 @@ class PicturePages {
   gl::Buffer worn_;  ///< a row a texture
 };
 
-/// What the pieces in sight wear.
-void see(PicturePages& pages, const Pictures& pictures, const LayerPieces& pieces, const MeshDetail& detail);
+/// What the buildings of pieces in sight wear, each by how far away it is.
+void see(PicturePages& pages, const Scene& scene, const LayerPieces& buildings, const MeshDetail& detail);
 
 }  // namespace manzana::draw

@@ -275,7 +275,7 @@ FrameCounts Renderer::draw(const Scene& scene, const VisibleSets& sets, const Ca
   counts.bytes_to_bring += s.bring_photo(scene, camera, options.upload_bytes - std::min(options.upload_bytes, brought));
   counts.bytes_without_room = s.meshes.missing_bytes();
   s.pictures.begin();
-  see(s.pictures, scene.pictures, s.meshes.buildings, s.mesh_detail);
+  see(s.pictures, scene, s.meshes.buildings, s.mesh_detail);
   s.pictures.end();
   s.stream.begin(s.bytes_of_frame(sets) + stream_bytes(nodes));
   gl::bind(s.target());

@@ -144,4 +144,38 @@ TEST_CASE("pictures: one that finds no place of its size stays as fine as there 
   for (const std::uint32_t p : {0U, 4U, 8U, 12U}) CHECK(pages.holds(p));
 }
 
+TEST_CASE("pictures: of a piece's buildings each is as fine as it is near") {
+  const gl::HeadlessContext context;
+  Scene scene;
+  scene.pictures = made(2);
+  CityMesh mesh;
+  for (std::uint32_t row = 0; row < 2; ++row) {  // a triangle of 10 m each, that wears half a picture of 10 m
+    const float x = 1000.0F * static_cast<float>(row);
+    for (const Vec2 at : {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}) {
+      mesh.indices.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+      mesh.vertices.push_back({{x + 10 * at.x, 0, 10 * at.y}, 0, 0, at, 0});
+      mesh.textures.push_back(row + 1);
+    }
+    scene.buildings.table.boxes.push_back({{x, 0, 0}, {x + 10, 0, 10}});
+  }
+  scene.buildings.mesh.vertices.own() = mesh.vertices;
+  scene.buildings.mesh.indices.own() = mesh.indices;
+  scene.buildings.mesh.textures.own() = mesh.textures;
+  scene.buildings.index_first = {0, 3, 6};
+  LayerPieces pieces(scene.buildings, Vec3d(0));
+  REQUIRE(pieces.count == 1);
+  const std::vector<Worn> worn = worn_by(mesh_of(scene.buildings, pieces, 0), 0);
+  REQUIRE(worn.size() == 2);
+  CHECK(worn[1].row == 1);
+  CHECK(worn[1].metres == Approx(10));
+  pieces.held[0].emplace().worn = worn;
+  pieces.in_sight = {0};
+  PicturePages pages(scene.pictures, PicturePages::kMostBytes);
+  pages.begin();
+  see(pages, scene, pieces, {.eye = {0, -50, 0}, .pixel_at_1m = 0.001});
+  pages.end();
+  // 10 m are 200 pixels 50 m away, and 10 pixels a kilometre away.
+  CHECK(std::vector(pages.wanted().begin(), pages.wanted().end()) == std::vector<PictureWanted>{{0, 256}, {1, 16}});
+}
+
 }  // namespace manzana::draw
