@@ -14,10 +14,10 @@ namespace {
 enum LdmBinding : GLuint { kTrees = 4, kItems, kGroups, kSides, kBlocks = 10, kMosaics };
 constexpr std::uint32_t kGroupsOfDraw = 8192;
 
-gl::Program make_program(const char* name, const HostShaders& host, const gl::Pieces& ways) {
+gl::Program make_program(const char* name, const HostShaders& host, const std::string& define, const gl::Pieces& ways) {
   using namespace shaders;
   gl::Pieces vertex{version_glsl, hash_glsl, ldm_layout_glsl, ldm_turn_glsl},
-      pixels{version_glsl, hash_glsl, tree_share_glsl, ldm_glsl};
+      pixels{version_glsl, define, hash_glsl, tree_share_glsl, ldm_glsl};
   vertex.insert(vertex.end(), host.vertex.begin(), host.vertex.end());
   vertex.insert(vertex.end(), {sway_glsl, ldm_vert});
   pixels.insert(pixels.end(), ways.begin(), ways.end());
@@ -29,8 +29,8 @@ gl::Program make_program(const char* name, const HostShaders& host, const gl::Pi
 
 LdmDrawer::LdmDrawer(std::span<const LdmPack> packs, const HostShaders& dithered, const HostShaders& blended)
     : store_(packs),
-      dithered_(make_program("ldm_dithered", dithered, {shaders::ldm_dither_glsl})),
-      blended_(make_program("ldm_blended", blended, {shaders::ldm_blend_glsl})),
+      host_(dithered),
+      blended_(make_program("ldm_blended", blended, {}, {shaders::ldm_blend_glsl})),
       sum_(gl::make_program("ldm_sum", {shaders::version_glsl, shaders::ldm_sum_vert},
                             {shaders::version_glsl, shaders::ldm_sum_frag})),
       indices_(make_quad_indices(kGroupsOfDraw * glsl::kLdmGroup)) {
@@ -38,6 +38,13 @@ LdmDrawer::LdmDrawer(std::span<const LdmPack> packs, const HostShaders& dithered
 }
 
 void LdmDrawer::show(std::span<const LdmPack> packs) { store_ = LdmStore(packs); }
+
+const gl::Program& LdmDrawer::dithered(int samples) {
+  const auto at = dithered_.find(samples);
+  if (at != dithered_.end()) return at->second;
+  gl::Program program = make_program("ldm_dithered", host_, define_samples(samples), {shaders::ldm_dither_glsl});
+  return dithered_.emplace(samples, std::move(program)).first->second;
+}
 
 void LdmDrawer::begin(const gl::Program& program, const LdmSelection& chosen) {
   glUseProgram(program.name());
@@ -62,9 +69,8 @@ void LdmDrawer::draw(const Run& groups) const {
 }
 
 void LdmDrawer::draw_dithered(const LdmSelection& chosen, int samples, const Wind& wind) {
-  begin(dithered_, chosen);
+  begin(dithered(samples), chosen);
   set_wind(wind);
-  glUniform1ui(1, static_cast<GLuint>(samples));
   draw({0, static_cast<std::uint32_t>(chosen.groups.size())});
   stream_.end();
 }

@@ -32,12 +32,15 @@ class LdmDrawer {
     gl::Framebuffer framebuffer;
   };
   static Layer make_layer(int width, int height);
+  const gl::Program& dithered(int samples);
   void begin(const gl::Program& program, const LdmSelection& chosen);
   void draw(const Run& groups) const;
   void add_up(const Layer& from, GLuint to, GLenum times_behind) const;
 
   LdmStore store_;
-  gl::Program dithered_, blended_, sum_;
+  HostShaders host_;
+  std::map<int, gl::Program> dithered_;  ///< by samples a pixel; made when first drawn with
+  gl::Program blended_, sum_;
   gl::VertexArray array_;
   gl::Buffer indices_;
   gl::StreamBuffer stream_;
