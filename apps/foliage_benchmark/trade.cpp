@@ -37,42 +37,72 @@ struct Eye {
 constexpr std::array<Eye, 3> kEyes{
     {{"stand, its edge", 2.2, 0.1, 0.0}, {"stand, inside", 0.2, 0.1, -0.2}, {"stand, above", 2.2, 5, 0.9}}};
 
-/// One side, with the trees of all.
-std::vector<foliage::Run> all_runs(const Motif& motif) {
-  std::vector<foliage::Run> runs;
-  for (const Sight& sight : motif.sights) runs.insert(runs.end(), sight.runs.begin(), sight.runs.end());
-  return runs;
+/// The first side, with the trees of all.
+Sight all_of(const Motif& motif) {
+  Sight sight = motif.sights.front();
+  for (const Sight& other : std::span(motif.sights).subspan(1))
+    sight.runs.insert(sight.runs.end(), other.runs.begin(), other.runs.end());
+  return sight;
+}
+
+/// What is drawn and timed together.
+struct Costed {
+  std::string name;
+  double height_px;
+  std::vector<Sight> sights;
+};
+
+/// All plants of a height, one after the other.
+std::vector<Costed> all_together(std::span<const Motif> motifs) {
+  std::vector<Costed> all;
+  for (const Motif& motif : motifs) {
+    auto at = std::ranges::find(all, motif.height_px, &Costed::height_px);
+    if (at == all.end()) at = all.insert(all.end(), {kAllPlants, motif.height_px, {}});
+    at->sights.push_back(all_of(motif));
+  }
+  return all;
+}
+
+std::vector<Costed> one_by_one(std::span<const Motif> motifs) {
+  std::vector<Costed> all;
+  for (const Motif& motif : motifs) all.push_back({motif.name, motif.height_px, {motif.sights.front()}});
+  return all;
 }
 
 struct Place {
   Lazy<Stage>& stage;
   Lazy<FarSide>* far = nullptr;
-  bool all_sides = false;  ///< one side, with the trees of all
 };
 
-void add_costs(const Effort& effort, const std::vector<Motif>& motifs, std::span<const Setting> settings,
+void measure_cost(const Costed& costed, const Setting& setting, const Place& place, double seconds, TimeRow& row) {
+  Stage& stage = *place.stage;
+  std::vector<HowDrawn> how;
+  for (const Sight& sight : costed.sights) how.push_back(with_far(setting, sight, stage, place.far));
+  const auto way = [&] {
+    stage.set_law(setting.law);
+    for (std::size_t i = 0; i < how.size(); ++i) stage.draw_only(costed.sights[i].runs, costed.sights[i].shot, how[i]);
+  };
+  const auto all_detail = [&] {
+    stage.set_law(Law::full);
+    for (const Sight& sight : costed.sights) stage.draw_only(sight.runs, sight.shot, {.sampling = Sampling::product});
+  };
+  row.error_px = setting.error_px;
+  row.trees = 0;
+  for (const Sight& sight : costed.sights) row.trees += trees_of(sight.runs);
+  set_times(time_pairs(way, all_detail, seconds, 1), row);
+}
+
+void add_costs(const Effort& effort, const std::vector<Costed>& all, std::span<const Setting> settings,
                const Place& place, Times& times) {
-  for (const Motif& motif : motifs)
+  for (const Costed& costed : all)
     for (const Setting& setting : settings) {
       ErrorRow way;
       set_way(setting, way);
-      times.add(
-          {.table = kTradeTable, .plant = motif.name, .way = cost_key(way, motif.height_px), .reference = "all detail"},
-          [&](TimeRow& row) {
-            Sight sight = motif.sights.front();
-            if (place.all_sides) sight.runs = all_runs(motif);
-            Stage& stage = *place.stage;
-            const HowDrawn how = with_far(setting, sight, stage, place.far);
-            const auto draw = [&](Law law, const HowDrawn& h) {
-              stage.set_law(law);
-              stage.draw_only(sight.runs, sight.shot, h);
-            };
-            row.error_px = setting.error_px;
-            row.trees = trees_of(sight.runs);
-            set_times(time_pairs([&] { draw(setting.law, how); },
-                                 [&] { draw(Law::full, {.sampling = Sampling::product}); }, effort.seconds() / 5, 1),
-                      row);
-          });
+      times.add({.table = kTradeTable,
+                 .plant = costed.name,
+                 .way = cost_key(way, costed.height_px),
+                 .reference = "all detail"},
+                [&](TimeRow& row) { measure_cost(costed, setting, place, effort.seconds() / 5, row); });
     }
 }
 
@@ -176,9 +206,9 @@ void add_trade_costs(const Effort& effort, std::span<const PreparedPlant> plants
       stand([&] { return Stage(plants, make_stand(plants, plan)); }),
       wood([&] { return Stage(plants, make_wood(plants, plan)); });
   Lazy<FarSide> far([&] { return FarSide(plants, wood->sites()); });
-  add_costs(effort, motifs_of(plants, plan.errors), plan.errors.settings, {.stage = alone, .all_sides = true}, times);
-  add_costs(effort, stand_motifs(plants, plan), plan.errors.settings, {.stage = stand}, times);
-  add_costs(effort, wood_motifs(plants, plan), plan.far.settings, {.stage = wood, .far = &far}, times);
+  add_costs(effort, all_together(motifs_of(plants, plan.errors)), plan.errors.settings, {.stage = alone}, times);
+  add_costs(effort, one_by_one(stand_motifs(plants, plan)), plan.errors.settings, {.stage = stand}, times);
+  add_costs(effort, one_by_one(wood_motifs(plants, plan)), plan.far.settings, {.stage = wood, .far = &far}, times);
 }
 
 }  // namespace manzana::foliage_benchmark

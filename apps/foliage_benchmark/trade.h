@@ -46,8 +46,8 @@ std::vector<ErrorRow> measure_trade(std::span<const foliage::PreparedPlant> plan
 std::vector<StepRow> measure_trade_steps(std::span<const foliage::PreparedPlant> plants, const TradePlan& plan,
                                          const std::function<void(double)>& progress, apps::Record<StepRow>& record);
 inline constexpr const char* kTradeTable = "trade";
-/// What each way takes, against all detail: rows of times.csv. A plant is drawn from one side, as often as it has
-/// views.
+/// What each way takes, against all detail: rows of times.csv. Of a height all plants are timed together, each drawn
+/// from one side, as often as it has views.
 void add_trade_costs(const Effort& effort, std::span<const foliage::PreparedPlant> plants, const TradePlan& plan,
                      Times& times);
 

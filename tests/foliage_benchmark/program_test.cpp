@@ -109,11 +109,18 @@ TEST_CASE("foliage benchmark: the trade has a front whose rows stand in the summ
   for (const auto& row : front) CHECK(std::ranges::find(summary, row) != summary.end());
   CHECK(table_of(out / "quality.csv").size() == 4);
   CHECK(read_all(out / "report.md").find("## Speed for accuracy") != std::string::npos);
-  const auto knob = std::ranges::find(front[0], "groves") - front[0].begin();
-  const auto of_grove = [&](const auto& row) {
-    return row[0] == "wood, from afar" && row[static_cast<std::size_t>(knob)] == "10";
+  const auto column = [&](const char* name) {
+    return static_cast<std::size_t>(std::ranges::find(front[0], name) - front[0].begin());
   };
+  const auto of_grove = [&](const auto& row) { return row[0] == "wood, from afar" && row[column("groves")] == "10"; };
   CHECK(std::ranges::any_of(front, of_grove));
+  std::size_t together = 0;
+  for (const auto& row : std::span(front).subspan(1)) {
+    if (row[0] != "all plants" && !row[0].starts_with("stand, ") && row[0] != "wood, from afar") continue;
+    ++together;
+    CHECK_FALSE(row[column("ratio")].empty());  // what each costs stands beside how wrong it is
+  }
+  CHECK(together > 3);
   const auto all = [&] {
     return read_all(out / "runs.csv") + read_all(out / "steps.csv") + read_all(out / "times.csv");
   };
