@@ -5,7 +5,8 @@
 namespace manzana::foliage_benchmark {
 
 Packs::Packs(std::vector<foliage::LdmPack> packs)
-    : packs_(std::move(packs)), drawer_(packs_, shaders_with_mask(), draw::plant_shaders()) {}
+    : packs_(std::move(packs)),
+      drawer_(packs_, std::make_shared<foliage::LdmPrograms>(shaders_with_mask(), draw::plant_shaders())) {}
 
 Paint Packs::painter(const Stage& stage, std::span<const foliage::Run> runs, const Shot& shot, Way way) {
   return [this, &stage, runs, &shot, way](const Canvas& canvas) {

@@ -1,6 +1,7 @@
 #include "foliage/gl/draw_ldm.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "foliage/gl/stream_lists.h"
 #include "gl/program.h"
@@ -27,28 +28,27 @@ gl::Program make_program(const char* name, const HostShaders& host, const std::s
 
 }  // namespace
 
-LdmDrawer::LdmDrawer(std::span<const LdmPack> packs, const HostShaders& dithered, const HostShaders& blended)
-    : store_(packs),
-      host_(dithered),
-      blended_(make_program("ldm_blended", blended, {}, {shaders::ldm_blend_glsl})),
-      sum_(gl::make_program("ldm_sum", {shaders::version_glsl, shaders::ldm_sum_vert},
-                            {shaders::version_glsl, shaders::ldm_sum_frag})),
-      indices_(make_quad_indices(kGroupsOfDraw * glsl::kLdmGroup)) {
-  array_ = gl::make_vertex_array(indices_);
+LdmPrograms::LdmPrograms(const HostShaders& dithered_host, const HostShaders& blended_host)
+    : host(dithered_host),
+      blended(make_program("ldm_blended", blended_host, {}, {shaders::ldm_blend_glsl})),
+      sum(gl::make_program("ldm_sum", {shaders::version_glsl, shaders::ldm_sum_vert},
+                           {shaders::version_glsl, shaders::ldm_sum_frag})),
+      indices(make_quad_indices(kGroupsOfDraw * glsl::kLdmGroup)),
+      array(gl::make_vertex_array(indices)) {}
+
+const gl::Program& LdmPrograms::dithered(int samples) {
+  const auto at = by_samples.find(samples);
+  if (at != by_samples.end()) return at->second;
+  gl::Program program = make_program("ldm_dithered", host, define_samples(samples), {shaders::ldm_dither_glsl});
+  return by_samples.emplace(samples, std::move(program)).first->second;
 }
 
-void LdmDrawer::show(std::span<const LdmPack> packs) { store_ = LdmStore(packs); }
-
-const gl::Program& LdmDrawer::dithered(int samples) {
-  const auto at = dithered_.find(samples);
-  if (at != dithered_.end()) return at->second;
-  gl::Program program = make_program("ldm_dithered", host_, define_samples(samples), {shaders::ldm_dither_glsl});
-  return dithered_.emplace(samples, std::move(program)).first->second;
-}
+LdmDrawer::LdmDrawer(std::span<const LdmPack> packs, std::shared_ptr<LdmPrograms> programs)
+    : store_(packs), programs_(std::move(programs)) {}
 
 void LdmDrawer::begin(const gl::Program& program, const LdmSelection& chosen) {
   glUseProgram(program.name());
-  glBindVertexArray(array_.name());
+  glBindVertexArray(programs_->array.name());
   glBindTextureUnit(0, store_.colours.name());
   glBindTextureUnit(1, store_.surfaces.name());
   stream_.begin(room_for(chosen.trees) + room_for(chosen.items) + room_for(chosen.groups));
@@ -69,7 +69,7 @@ void LdmDrawer::draw(const Run& groups) const {
 }
 
 void LdmDrawer::draw_dithered(const LdmSelection& chosen, int samples, const Wind& wind) {
-  begin(dithered(samples), chosen);
+  begin(programs_->dithered(samples), chosen);
   set_wind(wind);
   draw({0, static_cast<std::uint32_t>(chosen.groups.size())});
   stream_.end();
@@ -89,7 +89,7 @@ LdmDrawer::Layer LdmDrawer::make_layer(int width, int height) {
 void LdmDrawer::add_up(const Layer& from, GLuint to, GLenum times_behind) const {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
   glBlendFunc(GL_ONE, times_behind);
-  glUseProgram(sum_.name());
+  glUseProgram(programs_->sum.name());
   glBindTextureUnit(0, from.colour.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -103,13 +103,13 @@ void LdmDrawer::draw_blended(const LdmSelection& chosen, int width, int height) 
   glDisable(GL_DEPTH_TEST);
   glEnable(GL_BLEND);
   glClearNamedFramebufferfv(all_.framebuffer.name(), GL_COLOR, 0, &nothing.x);
-  begin(blended_, chosen);
+  begin(programs_->blended, chosen);
   for (const Run& rank : chosen.ranks) {
     if (rank.size() == 0) continue;
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, part_.framebuffer.name());
     glClearNamedFramebufferfv(part_.framebuffer.name(), GL_COLOR, 0, &nothing.x);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC1_ALPHA);
-    glUseProgram(blended_.name());
+    glUseProgram(programs_->blended.name());
     glBindTextureUnit(0, store_.colours.name());
     draw(rank);
     add_up(part_, all_.framebuffer.name(), GL_ONE);

@@ -1,20 +1,33 @@
 #pragma once
 /// Draws trees as packs of mosaics, lit by the host: what foliage/shaders/plant.glsl names, and HostShaders::mosaics.
-///   LdmDrawer drawer(packs, host, host);
+///   LdmDrawer drawer(packs, std::make_shared<LdmPrograms>(host, host));
 ///   choose_ldm(drawer.store().table, seen, false, chosen);
 ///   drawer.draw_dithered(chosen, samples);
+#include <memory>
+
 #include "foliage/gl/draw_plants.h"
 #include "foliage/gl/ldm_store.h"
 
 namespace manzana::foliage {
 
+/// What drawers share.
+struct LdmPrograms {
+  /// Throws std::runtime_error when a shader does not compile.
+  LdmPrograms(const HostShaders& dithered_host, const HostShaders& blended_host);
+  const gl::Program& dithered(int samples);
+
+  HostShaders host;
+  std::map<int, gl::Program> by_samples;  ///< made when first drawn with
+  gl::Program blended, sum;
+  gl::Buffer indices;
+  gl::VertexArray array;
+};
+
 class LdmDrawer {
  public:
-  /// The packs must outlive it. Throws std::runtime_error when a shader does not compile or the device has no room.
-  LdmDrawer(std::span<const LdmPack> packs, const HostShaders& dithered, const HostShaders& blended);
+  /// The packs must outlive it. Throws std::runtime_error when the device has no room.
+  LdmDrawer(std::span<const LdmPack> packs, std::shared_ptr<LdmPrograms> programs);
 
-  /// These from now on.
-  void show(std::span<const LdmPack> packs);
   const LdmStore& store() const { return store_; }
 
   /// Into the bound framebuffer, with its depth, in any order: every sample shows one side and level of a tree.
@@ -32,17 +45,12 @@ class LdmDrawer {
     gl::Framebuffer framebuffer;
   };
   static Layer make_layer(int width, int height);
-  const gl::Program& dithered(int samples);
   void begin(const gl::Program& program, const LdmSelection& chosen);
   void draw(const Run& groups) const;
   void add_up(const Layer& from, GLuint to, GLenum times_behind) const;
 
   LdmStore store_;
-  HostShaders host_;
-  std::map<int, gl::Program> dithered_;  ///< by samples a pixel; made when first drawn with
-  gl::Program blended_, sum_;
-  gl::VertexArray array_;
-  gl::Buffer indices_;
+  std::shared_ptr<LdmPrograms> programs_;
   gl::StreamBuffer stream_;
   Layer part_, all_;
 };

@@ -48,19 +48,18 @@ bool has_pack(FarTrees& far, std::uint32_t plant) {
 }  // namespace
 
 FarTrees::FarTrees(std::size_t plants, const foliage::HostShaders& host)
-    : pack_of(plants, kNone), drawer(std::make_unique<foliage::LdmDrawer>(packs, host, host)) {}
+    : pack_of(plants, kNone), first(plants, 0), programs(std::make_shared<foliage::LdmPrograms>(host, host)) {}
 
 bool add_pack(FarTrees& far, std::uint32_t plant, foliage::LdmPack pack) {
   if (far.pack_of[plant] != FarTrees::kNone) return false;
   far.pack_of[plant] = static_cast<std::uint32_t>(far.packs.size());
-  far.packs.push_back(std::move(pack));
-  far.news = true;
+  far.packs.emplace_back().pack = std::move(pack);
   return true;
 }
 
 std::size_t bytes_of_packs(const FarTrees& far) {
   std::size_t bytes = 0;
-  for (const foliage::LdmPack& pack : far.packs)
+  for (const auto& [pack, drawer, trees, chosen] : far.packs)
     bytes += pack.colour.size() + pack.surface.size() + pack.mosaic_bytes();
   return bytes;
 }
@@ -122,7 +121,8 @@ class Splitter {
     std::uint32_t share = share_of(height2_in_errors(trees_.table, seen_, site), trees_.all_mosaics);
     if (share > 0 && !has_pack(far_, site.plant)) share = 0;
     if (share < kAll) add_row(far_.near, i);
-    if (share > 0) far_.trees.push_back({i, static_cast<float>(std::min(share, most)) / 255});
+    if (share > 0)
+      far_.packs[far_.pack_of[site.plant]].trees.push_back({i, static_cast<float>(std::min(share, most)) / 255});
     words_[n_++] = share << kShift | i;
   }
 
@@ -152,9 +152,11 @@ class Splitter {
 
 std::uint32_t split_trees(FarTrees& far, const TreesToSplit& trees, std::uint32_t* words) {
   far.near.clear();
-  far.trees.clear();
   far.wanted.clear();
-  if (std::exchange(far.news, false)) far.drawer->show(far.packs);
+  for (FarTrees::Shown& shown : far.packs) {
+    shown.trees.clear();
+    if (!shown.drawer) shown.drawer = std::make_unique<foliage::LdmDrawer>(std::span(&shown.pack, 1), far.programs);
+  }
   foliage::TreesSeen seen = trees.seen;
   seen.error_at_1m = std::min(seen.error_at_1m, most_error(trees.all_mosaics));
   Splitter splitter(far, trees, seen, words);
@@ -164,16 +166,20 @@ std::uint32_t split_trees(FarTrees& far, const TreesToSplit& trees, std::uint32_
       splitter.add({first, last});
     }
   // Where a pixel of the pack's may be as large as what may be wrong.
-  if (!far.trees.empty())
-    choose_ldm(far.drawer->store().table, {seen.sites, seen.block_rows, {}, 1 / seen.error_at_1m}, far.trees,
-               far.pack_of, far.chosen);
+  for (FarTrees::Shown& shown : far.packs)
+    choose_ldm(shown.drawer->store().table, {seen.sites, seen.block_rows, {}, 1 / seen.error_at_1m}, shown.trees,
+               far.first, shown.chosen);
   return splitter.words();
 }
 
 std::uint64_t draw_far_trees(FarTrees& far, int samples, const foliage::Wind& wind) {
-  if (far.trees.empty()) return 0;
-  far.drawer->draw_dithered(far.chosen, samples, wind);
-  return far.chosen.mosaics;
+  std::uint64_t mosaics = 0;
+  for (FarTrees::Shown& shown : far.packs) {
+    if (shown.trees.empty()) continue;
+    shown.drawer->draw_dithered(shown.chosen, samples, wind);
+    mosaics += shown.chosen.mosaics;
+  }
+  return mosaics;
 }
 
 }  // namespace manzana::draw

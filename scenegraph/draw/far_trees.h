@@ -4,6 +4,7 @@
 ///   draw_far_trees(far, samples);
 /// Where one way gives way to the other each sample of a pixel shows one of them, so nothing is drawn twice and a crown
 /// covers as much.
+#include <deque>
 #include <memory>
 
 #include "foliage/gl/draw_ldm.h"
@@ -22,15 +23,20 @@ struct FarTrees {
   static constexpr std::uint32_t kNone = ~0U;
   explicit FarTrees(std::size_t plants, const foliage::HostShaders& host);
 
-  std::vector<foliage::LdmPack> packs;
-  bool news = false;                   ///< some of them are not on the device: they come with the next frame, together
+  /// With buffers and pictures of its own, so that bringing one more touches no other.
+  struct Shown {
+    foliage::LdmPack pack;
+    std::unique_ptr<foliage::LdmDrawer> drawer;  ///< null: it comes with the next frame
+    // Of the frame at hand.
+    std::vector<foliage::LdmFar> trees;  ///< of which mosaics show a share
+    foliage::LdmSelection chosen;
+  };
+  std::deque<Shown> packs;             ///< drawers keep their places
   std::vector<std::uint32_t> pack_of;  ///< of each plant; kNone: its trees stay what they are
+  std::vector<std::uint32_t> first;    ///< of each plant 0: the only pack of a drawer
   std::vector<std::uint32_t> wanted;   ///< plants without a pack, of which far trees were seen in the last frame
-  std::unique_ptr<foliage::LdmDrawer> drawer;
-  // Of the frame at hand.
-  std::vector<foliage::Run> near;      ///< sites of which plants show a part
-  std::vector<foliage::LdmFar> trees;  ///< of which mosaics do
-  foliage::LdmSelection chosen;
+  std::shared_ptr<foliage::LdmPrograms> programs;
+  std::vector<foliage::Run> near;  ///< of the frame at hand: sites of which plants show a part
 };
 
 /// False: the plant has one.

@@ -315,7 +315,7 @@ std::map<std::uint32_t, foliage::LdmPack> Renderer::take_packs() {
   FarTrees& far = state_->trees.far;
   std::map<std::uint32_t, foliage::LdmPack> packs;
   for (std::uint32_t plant = 0; plant < far.pack_of.size(); ++plant)
-    if (far.pack_of[plant] != FarTrees::kNone) packs.emplace(plant, std::move(far.packs[far.pack_of[plant]]));
+    if (far.pack_of[plant] != FarTrees::kNone) packs.emplace(plant, std::move(far.packs[far.pack_of[plant]].pack));
   return packs;
 }
 

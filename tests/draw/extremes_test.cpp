@@ -176,8 +176,10 @@ class Trees {
   void check_lists(bool far, const std::vector<Rows>& rows) {
     CHECK(std::isfinite(layer_.error_at_1m));
     CHECK(newest_shown(layer_).missing == 0);
-    CHECK(all_finite(layer_.far.chosen.trees));
-    CHECK(all_finite(layer_.far.chosen.items));
+    for (const FarTrees::Shown& shown : layer_.far.packs) {
+      CHECK(all_finite(shown.chosen.trees));
+      CHECK(all_finite(shown.chosen.items));
+    }
     CHECK(all_finite(layer_.groves.shown));
     const std::uint32_t trees = layer_.trees_in_view;
     if (trees == 0) return;

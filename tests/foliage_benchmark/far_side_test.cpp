@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "apps/foliage_benchmark/trade.h"
+#include "foliage/far_pack.h"
 #include "foliage/generate.h"
 #include "foliage/import/species.h"
 #include "foliage/prepare.h"
@@ -75,6 +76,25 @@ TEST_CASE("far side: where trees are no mosaics yet a grove takes over at once a
     near |= drawn.near > 0, grove |= drawn.points > 0;
   }
   CHECK((near && grove));
+}
+
+TEST_CASE("far side: a pack that comes brings nothing of the others anew") {
+  const gl::HeadlessContext context;
+  std::vector<foliage::PreparedPlant> plants;
+  for (const char* species : {"shrub", "conifer"})
+    plants.push_back(prepare(grow_plant(foliage::builtin_species(species), 3), {.visibility_side = 0}));
+  const Stage stage(plants, sites_of(plants));
+  const auto rows = rows_seen_from({0, 0, 0});
+  draw::FarTrees far(plants.size(), shaders_with_mask());
+  const auto begin_frame = [&] { split_trees(far, {stage.table(), {stage.sites(), rows, {}}}, nullptr); };
+  add_pack(far, 0, make_far_pack(plants[0]));
+  begin_frame();
+  const GLuint first = far.packs[0].drawer->store().colours.name();
+  REQUIRE(first != 0);
+  add_pack(far, 1, make_far_pack(plants[1]));
+  begin_frame();
+  CHECK(far.packs[0].drawer->store().colours.name() == first);
+  CHECK(far.packs[1].drawer->store().colours.name() != first);
 }
 
 }  // namespace manzana::foliage_benchmark
